@@ -20,8 +20,8 @@ std::string candidate(const std::string& name, int attempt) {
 bool holds(const std::string& path, const std::string& bytes) {
   std::error_code error;
   if (std::filesystem::file_size(path, error) != bytes.size() || error) return false;
-  grf::Diagnostics unheard;
-  const auto present = grf::read_file(path, unheard);
+  grf::Diagnostics ignored_diagnostics;
+  const auto present = grf::read_file(path, ignored_diagnostics);
   return present && *present == bytes;
 }
 

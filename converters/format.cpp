@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "converters/assign_default_brdf.h"
 #include "converters/assimp/assimp_formats.h"
-#include "converters/bare_faces.h"
 #include "converters/gltf/gltf.h"
 #include "converters/grf_format.h"
 #include "converters/obj/obj.h"
@@ -99,7 +99,7 @@ std::optional<Import> read(const Format& format, const std::string& path, const 
     return std::nullopt;
   }
   std::optional<Import> import = format.read(path, options, diagnostics);
-  if (import && options.brdf) give_bare_faces(import->scene, *options.brdf);
+  if (import && options.brdf) assign_default_brdf(import->scene, *options.brdf);
   return import;
 }
 

@@ -191,7 +191,7 @@ class Downgrade {
       parts.meshes.push_back(std::move(mesh));
       return parts;
     }
-    for (const auto& run : runs) parts.meshes.push_back(grf::part_of(mesh, run));
+    for (const auto& run : runs) parts.meshes.push_back(grf::submesh(mesh, run));
     parts.meshes.front().comments = mesh.comments;
     keep_comments(parts.meshes.front());
     return parts;
@@ -243,7 +243,7 @@ class Downgrade {
 
   grf::MeshLight light_of(const grf::Mesh& mesh, const std::vector<std::uint32_t>& faces,
                           const grf::SourceLocation& location) {
-    grf::Mesh light = grf::part_of(mesh, faces);
+    grf::Mesh light = grf::submesh(mesh, faces);
     bool had_brdf = false;
     bool had_radiance = false;
     for (const std::uint32_t face : faces) {
@@ -350,8 +350,8 @@ class Downgrade {
 std::optional<grf::Scene> to_grf2008(const grf::Scene& scene, const std::string& path,
                                      grf::Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
-  grf::Diagnostics unheard;
-  Downgrade trial(unheard);
+  grf::Diagnostics ignored_diagnostics;
+  Downgrade trial(ignored_diagnostics);
   trial.run(scene);
   const std::optional<ChangedFile>& changed = trial.changed_file();
   if (changed) {

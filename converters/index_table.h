@@ -17,15 +17,15 @@ constexpr std::uint64_t mixed_hash(std::uint64_t hash, std::uint64_t word) {
 /// in the array.
 class IndexTable {
  public:
-  /// Returns the index of an equal element, or else adds and returns `next`. `is_alike` compares the element
+  /// Returns the index of an equal element, or else adds and returns `next`. `is_equal` compares the element
   /// with the one of an index; equal elements must have equal hashes.
-  template <class IsAlike>
-  std::uint32_t find_or_add(std::uint64_t hash, std::uint32_t next, const IsAlike& is_alike) {
+  template <class IsEqual>
+  std::uint32_t find_or_add(std::uint64_t hash, std::uint32_t next, const IsEqual& is_equal) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     const auto short_hash = static_cast<std::uint32_t>(hash);
     std::size_t place = short_hash & (slots_.size() - 1);
     for (; slots_[place].index != Empty; place = (place + 1) & (slots_.size() - 1)) {
-      if (slots_[place].hash == short_hash && is_alike(slots_[place].index)) return slots_[place].index;
+      if (slots_[place].hash == short_hash && is_equal(slots_[place].index)) return slots_[place].index;
     }
     slots_[place] = {next, short_hash};
     ++count_;

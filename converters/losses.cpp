@@ -38,7 +38,7 @@ LossText text_of(Loss loss) {
               "the file has no normals, so that faces are flat"};
     case Loss::VertexColour:
       return {"vertex lost its colour", "vertices lost their colour", "other vertices of the file have none"};
-    case Loss::ShortFace:
+    case Loss::DegenerateFace:
       return {"face was left out", "faces were left out", "fewer than three corners"};
     case Loss::Line:
       return {"line was left out", "lines were left out", "GRF has only faces"};

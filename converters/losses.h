@@ -19,7 +19,7 @@ enum class Loss {
   PhysicallyBasedParameters,
   SmoothingGroup,
   VertexColour,
-  ShortFace,
+  DegenerateFace,
   Line,
   Point,
   // Features that only some formats have.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "converters/mapping_parts.h"
+#include "converters/mapping_helpers.h"
 #include "grf/keywords.h"
 
 namespace convert {
@@ -76,19 +76,19 @@ class Mapping {
 
 MappedMaterial map_material(const PhongMaterial& material) { return Mapping(material).run(); }
 
-PhongMaterial phong_material(const BrdfParts& parts) {
+PhongMaterial phong_material(const BrdfLobes& lobes) {
   /// The exponent of a mirror in MTL files.
   constexpr double WrittenMirrorExponent = 1000;
   PhongMaterial material;
-  material.diffuse = parts.matte;
-  material.specular = parts.glossy;
-  if (parts.glossy == grf::Vec3d(0)) {
+  material.diffuse = lobes.diffuse;
+  material.specular = lobes.glossy;
+  if (lobes.glossy == grf::Vec3d(0)) {
     material.reflection = Reflection::None;
-  } else if (std::isinf(parts.exponent)) {
+  } else if (std::isinf(lobes.exponent)) {
     material.reflection = Reflection::Mirror;
     material.exponent = WrittenMirrorExponent;
   } else {
-    material.exponent = std::min(about_mirror(parts.exponent), HighestExponent);
+    material.exponent = std::min(to_phong_exponent(lobes.exponent), HighestExponent);
   }
   return material;
 }

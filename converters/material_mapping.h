@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "converters/brdf_parts.h"
+#include "converters/brdf_lobes.h"
 #include "converters/losses.h"
 #include "grf/math.h"
 #include "grf/scene.h"
@@ -22,7 +22,7 @@ enum class Reflection {
 
 /// Converts a Blinn-Phong exponent to the Phong exponent, max(0, u.r)^n, of about the same lobe width: the
 /// half vector turns half as fast.
-constexpr double about_mirror(double half_vector_exponent) { return half_vector_exponent / 4; }
+constexpr double to_phong_exponent(double half_vector_exponent) { return half_vector_exponent / 4; }
 
 /// A material of the Phong family, such as those of MTL files. Values are kept in double so that 1 - 0.9,
 /// once rounded to float, is written 0.1.
@@ -43,7 +43,7 @@ struct PhongMaterial {
 
 /// A microfacet material as in glTF: specular microfacets with Fresnel reflectance over a diffuse base. Light
 /// that the microfacets reflect does not reach the base.
-struct FacetMaterial {
+struct MicrofacetMaterial {
   std::string name;
   grf::Vec3d diffuse = grf::Vec3d(1);      ///< albedo of the diffuse base
   grf::Vec3d specular = grf::Vec3d(0.04);  ///< Fresnel reflectance at normal incidence (F0)
@@ -70,7 +70,7 @@ struct MappedMaterial {
 
 /// Maps a material to the nearest BRDF, under its own name and with the original values in a comment.
 MappedMaterial map_material(const PhongMaterial& material);
-MappedMaterial map_material(const FacetMaterial& material);
+MappedMaterial map_material(const MicrofacetMaterial& material);
 
 /// Makes a material of which only the name is known.
 MappedMaterial unknown_material(const std::string& name, const grf::BrdfModel& brdf);
@@ -82,17 +82,17 @@ grf::BrdfModel default_brdf();
 
 /// Returns the Phong material with these lobes: the inverse of `map_material` for the BRDFs that it gives.
 /// Name, emission and image have their defaults.
-PhongMaterial phong_material(const BrdfParts& parts);
+PhongMaterial phong_material(const BrdfLobes& lobes);
 
 /// Microfacets over a diffuse base: `diffuse` is the albedo of the base without the microfacets.
-struct FacetValues {
+struct MicrofacetValues {
   grf::Vec3d diffuse = grf::Vec3d(0);
   grf::Vec3d specular = grf::Vec3d(0);  ///< Fresnel reflectance at normal incidence (F0)
   double slope = 1;
 };
 
 /// Returns the microfacets with these lobes: the inverse of `map_material`, except for its metals' index.
-FacetValues facet_values(const BrdfParts& parts);
+MicrofacetValues microfacet_values(const BrdfLobes& lobes);
 
 /// The parameters of glTF's metallic-roughness materials, each 0 to 1.
 struct MetallicRoughness {
@@ -101,8 +101,9 @@ struct MetallicRoughness {
   double roughness = 1;  ///< perceptual roughness, the square root of the slope
 };
 
-MetallicRoughness metallic_roughness(const FacetValues& values);
+MetallicRoughness metallic_roughness(const MicrofacetValues& values);
 /// Converts back from metallic-roughness; `dielectric` is the F0 of non-metals.
-FacetValues facet_values(const MetallicRoughness& material, const grf::Vec3d& dielectric = grf::Vec3d(0.04));
+MicrofacetValues microfacet_values(const MetallicRoughness& material,
+                                   const grf::Vec3d& dielectric = grf::Vec3d(0.04));
 
 }  // namespace convert

@@ -6,7 +6,7 @@
 
 #include "converters/losses.h"
 #include "converters/material_mapping.h"
-#include "converters/scene_parts.h"
+#include "converters/scene_building.h"
 
 namespace convert {
 

@@ -52,7 +52,7 @@ void MeshBuilder::add_face(std::span<const std::uint32_t> vertices, std::uint32_
 std::uint32_t MeshBuilder::vertex(const Corner& corner) {
   const auto next = static_cast<std::uint32_t>(mesh_.positions.size());
   const std::uint32_t vertex = vertices_.find_or_add(
-      hash_of(corner), next, [&](std::uint32_t known) { return is_alike(known, corner); });
+      hash_of(corner), next, [&](std::uint32_t known) { return is_equal(known, corner); });
   if (vertex != next) return vertex;
   mesh_.positions.push_back(corner.position);
   if (corner.normal) mesh_.normals.set(next, *corner.normal);
@@ -61,7 +61,7 @@ std::uint32_t MeshBuilder::vertex(const Corner& corner) {
   return vertex;
 }
 
-bool MeshBuilder::is_alike(std::uint32_t vertex, const Corner& corner) const {
+bool MeshBuilder::is_equal(std::uint32_t vertex, const Corner& corner) const {
   return mesh_.positions[vertex] == corner.position && is_same(mesh_.normals, vertex, corner.normal) &&
          is_same(mesh_.colours, vertex, corner.colour) && is_same(mesh_.uvs, vertex, corner.uv);
 }

@@ -46,7 +46,7 @@ class MeshBuilder {
   grf::Mesh take();
 
  private:
-  bool is_alike(std::uint32_t vertex, const Corner& corner) const;
+  bool is_equal(std::uint32_t vertex, const Corner& corner) const;
 
   grf::MeshDraft mesh_;
   std::optional<grf::SurfaceIndex> surfaces_;

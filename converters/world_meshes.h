@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "converters/losses.h"
-#include "converters/scene_parts.h"
+#include "converters/scene_building.h"
 #include "grf/math.h"
 #include "grf/scene.h"
 #include "grf/visit.h"

@@ -93,8 +93,8 @@ void check_arguments(const Model& model, const ModelInfo& info, const std::vecto
 /// Checks constraints between parameters; skipped if a single value is already invalid.
 void check_together(const Model& model, const ModelInfo& info, std::size_t errors_before,
                     Diagnostics& diagnostics) {
-  if (info.wrong_together == nullptr || diagnostics.error_count() != errors_before) return;
-  const std::string wrong = info.wrong_together(model);
+  if (info.validate == nullptr || diagnostics.error_count() != errors_before) return;
+  const std::string wrong = info.validate(model);
   if (!wrong.empty()) diagnostics.error(model.location, fmt::format("'{}': {}", info.keyword, wrong));
 }
 

@@ -47,7 +47,7 @@ struct LargestAlbedo {
 
 struct ModelInfo {
   /// The kind of argument that the keyword takes besides parameters.
-  enum class Takes {
+  enum class ArgumentKind {
     Parameters,
     Terms,     ///< weights and names of defined BRDFs
     DataFile,  ///< the name of a file
@@ -56,9 +56,9 @@ struct ModelInfo {
   std::string_view keyword;
   std::string_view title;
   std::string_view paper;
-  std::string_view about;    ///< description: what the model is for, and how its parameters change appearance
-  std::string_view formula;  ///< the formula as lines of text; directions are in the local frame
-  std::string_view example;  ///< a typical instance, for pictures
+  std::string_view description;  ///< what the model is for, and how its parameters change appearance
+  std::string_view formula;      ///< the formula as lines of text; directions are in the local frame
+  std::string_view example;      ///< a typical instance, for pictures
   std::vector<ParameterInfo> parameters;
   // The reason why the model lacks a property, or the parameters for which it does; empty if it always has
   // the property.
@@ -66,10 +66,10 @@ struct ModelInfo {
   std::string_view not_reciprocal;
   std::string_view not_conserving;
   std::string_view not_continuous;
-  Takes takes = Takes::Parameters;
+  ArgumentKind argument_kind = ArgumentKind::Parameters;
   /// Validates values that are each in range together: returns an error message or an empty string. May be
   /// null.
-  std::string (*wrong_together)(const Model&) = nullptr;
+  std::string (*validate)(const Model&) = nullptr;
   /// Returns the largest directional albedo for values that passed `check`; null if unknown.
   LargestAlbedo (*largest_albedo)(const Model&) = nullptr;
 

@@ -181,7 +181,7 @@ class Check {
   }
 
   void check_data_file(const BrdfModel& brdf, const ModelInfo& info) {
-    const bool takes_file = info.takes == ModelInfo::Takes::DataFile;
+    const bool takes_file = info.argument_kind == ModelInfo::ArgumentKind::DataFile;
     std::string wrong;
     if (takes_file && brdf.data_file.empty()) {
       wrong = fmt::format("'{}' needs the name of a data file", info.keyword);

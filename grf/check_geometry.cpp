@@ -45,18 +45,18 @@ bool lacks_uv(const Mesh& mesh, std::size_t face) {
          });
 }
 
-std::string subject(const Offenders& faces) {
+std::string subject(const FaceDefects& faces) {
   if (faces.count == 1) return fmt::format("face {} has", faces.first);
   if (faces.meshes > 1) return fmt::format("{} faces of {} meshes have", faces.count, faces.meshes);
   return fmt::format("{} faces, the first is {}, have", faces.count, faces.first);
 }
 
-void add_face(Offenders& faces, std::size_t face) {
+void add_face(FaceDefects& faces, std::size_t face) {
   if (faces.count++ == 0) faces.first = face;
   faces.meshes = 1;
 }
 
-void add_all(Offenders& faces, const Offenders& others) {
+void add_all(FaceDefects& faces, const FaceDefects& others) {
   if (faces.count == 0) faces.first = others.first;
   faces.count += others.count;
   faces.meshes += others.meshes;
@@ -131,7 +131,7 @@ class LightCheck::World {
     for (const Body& body : bodies) {
       boxes.push_back(Imath::transform(body.mesh->geometry.vertices().bounds(), body.to_world));
     }
-    tree_ = BoxTree(boxes);
+    tree_ = Bvh(boxes);
   }
 
   bool has_vertex_in(const Front& front) const {
@@ -149,7 +149,7 @@ class LightCheck::World {
   }
 
   const std::vector<Body>& bodies_;
-  BoxTree tree_;  ///< over the bounds of the bodies
+  Bvh tree_;  ///< over the bounds of the bodies
 };
 
 void LightCheck::add(const Mesh& mesh, const Placement& placement) {

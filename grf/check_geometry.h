@@ -10,7 +10,7 @@
 namespace grf {
 
 /// Faces of one or more meshes that have the same defect.
-struct Offenders {
+struct FaceDefects {
   std::size_t count = 0;
   std::size_t first = 0;  ///< index of the first face in its mesh
   std::size_t meshes = 0;
@@ -28,9 +28,9 @@ class FaceCheck {
  private:
   struct Found {
     SourceLocation location;
-    Offenders flat;
-    Offenders turned;
-    Offenders without_uv;
+    FaceDefects flat;
+    FaceDefects turned;
+    FaceDefects without_uv;
   };
   static void report(const Found& found, Diagnostics& diagnostics);
 

@@ -152,8 +152,8 @@ SourceLocation whole_file(std::string path) {
 std::string source_line(const SourceLocation& location) {
   if (!location.file || location.line == 0) return {};
   if (const auto text = location.file->text.lock()) return std::string(line_of(*text, location.line));
-  Diagnostics unheard;  // if the file cannot be read any more there is no excerpt to show
-  const auto text = read_file(location.file->path, unheard);
+  Diagnostics ignored_diagnostics;  // if the file cannot be read any more there is no excerpt to show
+  const auto text = read_file(location.file->path, ignored_diagnostics);
   return text ? std::string(line_of(*text, location.line)) : std::string();
 }
 

@@ -68,7 +68,7 @@ std::vector<bool> used_surfaces(const Mesh& mesh) {
   return used;
 }
 
-Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces) {
+Mesh submesh(const Mesh& mesh, std::span<const std::uint32_t> faces) {
   constexpr auto Unused = std::numeric_limits<std::uint32_t>::max();
   MeshDraft part;
   if (!faces.empty()) part.surfaces = {mesh.surface(faces.front())};

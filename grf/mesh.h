@@ -90,7 +90,7 @@ std::vector<bool> used_surfaces(const Mesh& mesh);
 
 /// Extracts a submesh: some faces of a mesh, in that order, and the vertices that they use. Its first surface
 /// is that of the first face; it has no name and no comments.
-Mesh part_of(const Mesh& mesh, std::span<const std::uint32_t> faces);
+Mesh submesh(const Mesh& mesh, std::span<const std::uint32_t> faces);
 
 /// Deduplicates surfaces: returns one index in a mesh's list for surfaces with the same text (`written_key`),
 /// and appends new ones to the list.

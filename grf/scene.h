@@ -77,7 +77,7 @@ struct IncludeOrigin {
 
 /// An include: a file whose blocks take the place of the include.
 struct Include {
-  /// As written, relative to the folder of the file that names it; quotes as in a mesh's name.
+  /// The path as written, relative to the folder of the file that names it; quotes as in a mesh's name.
   std::string file;
   Shared<BlockList> contents;
   IncludeOrigin origin;

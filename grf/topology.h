@@ -28,53 +28,53 @@ struct Topology {
 Topology topology_of(const Geometry& geometry);
 
 /// Returns, for each vertex, the first one at the same position.
-std::vector<std::uint32_t> first_at_place(const Geometry& geometry);
+std::vector<std::uint32_t> first_at_position(const Geometry& geometry);
 
 /// A half-edge: an edge of one face, from one of its corners to the next.
-struct FaceEdge {
+struct HalfEdge {
   std::uint64_t places = 0;  ///< key: the two ends, each the first vertex there; the smaller in the high word
   std::uint32_t face = 0;
   std::uint32_t corner = 0;  ///< the start of the edge, an index into `Geometry::corners`
 };
 
 /// Returns all half-edges that have a length, between the `places` of vertices (usually those of
-/// `first_at_place`; empty: each vertex is a place of its own). They are sorted: those between the same
+/// `first_at_position`; empty: each vertex is a place of its own). They are sorted: those between the same
 /// places are consecutive, in the order of their faces.
-std::vector<FaceEdge> edges_of_faces(const Geometry& geometry, std::span<const std::uint32_t> places);
+std::vector<HalfEdge> half_edges_of(const Geometry& geometry, std::span<const std::uint32_t> places);
 
 /// Calls a function for each edge, with the run of half-edges that share it.
-void for_each_edge(std::span<const FaceEdge> edges,
-                   const std::function<void(std::span<const FaceEdge> of_faces)>& action);
+void for_each_edge(std::span<const HalfEdge> edges,
+                   const std::function<void(std::span<const HalfEdge> of_faces)>& action);
 
 /// The edges of a geometry, each with the faces that share it. Pairs of neighbouring faces are not stored:
 /// they would be quadratic if many faces share one edge.
 class SharedEdges {
  public:
-  /// `places`: see `edges_of_faces`.
+  /// `places`: see `half_edges_of`.
   SharedEdges(const Geometry& geometry, std::span<const std::uint32_t> places);
 
-  static constexpr std::uint32_t None = ~0U;
+  static constexpr std::uint32_t InvalidIndex = ~0U;
 
   std::uint32_t edge_count() const { return static_cast<std::uint32_t>(first_.size()); }
-  /// Returns the edge that begins at a corner, or None if it has no length.
+  /// Returns the edge that begins at a corner, or InvalidIndex if it has no length.
   std::uint32_t at_corner(std::uint32_t corner) const { return edge_of_corner_[corner]; }
-  std::span<const FaceEdge> faces_at(std::uint32_t edge) const {
+  std::span<const HalfEdge> faces_at(std::uint32_t edge) const {
     const std::size_t last = edge + 1 < first_.size() ? first_[edge + 1] : edges_.size();
     return std::span(edges_).subspan(first_[edge], last - first_[edge]);
   }
 
  private:
-  std::vector<FaceEdge> edges_;
+  std::vector<HalfEdge> edges_;
   std::vector<std::uint32_t> first_;  ///< by edge, its first half-edge in edges_
   std::vector<std::uint32_t> edge_of_corner_;
 };
 
 /// Returns the corner at the end of the edge.
-std::uint32_t end_corner(const Geometry& geometry, const FaceEdge& edge);
+std::uint32_t end_corner(const Geometry& geometry, const HalfEdge& edge);
 
 /// Joins the sets of the corners of two faces at either end of their shared edge.
 void join_at_edge(DisjointSets& corners, const Geometry& geometry, std::span<const std::uint32_t> places,
-                  const FaceEdge& a, const FaceEdge& b);
+                  const HalfEdge& a, const HalfEdge& b);
 
 /// Finds the non-manifold places at which several fans of faces meet that share no edge there: their corners
 /// are in more than one set of `fans`, which `join_at_edge` has joined. The result is indexed by place.

@@ -22,7 +22,7 @@ std::vector<Box3d> boxes_of(const Geometry& geometry) {
 
 VertexTree::VertexTree(const Geometry& geometry) : geometry_(&geometry), boxes_(boxes_of(geometry)) {}
 
-double VertexTree::highest(const BoxTree::ValueOfBox& bound, const ValueOfVertex& value, double least,
+double VertexTree::highest(const Bvh::ValueOfBox& bound, const ValueOfVertex& value, double least,
                            double enough) const {
   const auto highest_of_run = [&](std::size_t run) {
     const auto rest = std::span(geometry_->positions).subspan(run * VerticesOfABox);

@@ -4,7 +4,7 @@
 #include <functional>
 #include <limits>
 
-#include "grf/box_tree.h"
+#include "grf/bvh.h"
 #include "grf/geometry.h"
 
 namespace grf {
@@ -18,8 +18,8 @@ class VertexTree {
   explicit VertexTree(const Geometry& geometry);
 
   using ValueOfVertex = std::function<double(const Vec3d&)>;
-  /// Returns the highest value of any vertex, as `BoxTree::highest` does.
-  double highest(const BoxTree::ValueOfBox& bound, const ValueOfVertex& value,
+  /// Returns the highest value of any vertex, as `Bvh::highest` does.
+  double highest(const Bvh::ValueOfBox& bound, const ValueOfVertex& value,
                  double least = -std::numeric_limits<double>::infinity(),
                  double enough = std::numeric_limits<double>::infinity()) const;
 
@@ -30,7 +30,7 @@ class VertexTree {
 
  private:
   const Geometry* geometry_ = nullptr;
-  BoxTree boxes_;  ///< over the bounds of runs of vertices
+  Bvh boxes_;  ///< over the bounds of runs of vertices
 };
 
 }  // namespace grf

@@ -123,8 +123,8 @@ class FilesWriter {
 
   bool write(const std::pair<const std::string, Text>& entry) const {
     const auto& [exact_path, text] = entry;
-    Diagnostics unheard;
-    const auto old_text = read_file(exact_path, unheard);
+    Diagnostics ignored_diagnostics;
+    const auto old_text = read_file(exact_path, ignored_diagnostics);
     if (old_text && *old_text == text.text) return true;
     diagnostics_.note(whole_file(text.path), "this file, which the scene names, is written too");
     std::error_code ignored;  // an error of the folder is reported when the file cannot be created
@@ -135,8 +135,8 @@ class FilesWriter {
   /// Returns whether the file still has the bytes that were read: it may have been overwritten since.
   bool is_on_disk(const IncludeOrigin& origin) {
     const auto [known, is_new] = hashes_on_disk_.try_emplace(origin.path);
-    Diagnostics unheard;
-    const auto text = is_new ? read_file(origin.path, unheard) : nullptr;
+    Diagnostics ignored_diagnostics;
+    const auto text = is_new ? read_file(origin.path, ignored_diagnostics) : nullptr;
     if (text) known->second = std::hash<std::string>()(*text);
     return known->second == origin.hash;
   }
@@ -198,9 +198,9 @@ class FilesWriter {
       if (!(known->second == instance)) fail(path, "it would have to hold several BRDFs");
       return;
     }
-    Diagnostics unheard;
-    const auto old_text = read_file(path, unheard);
-    const auto old = old_text ? read_brdf(*old_text, path, unheard) : std::nullopt;
+    Diagnostics ignored_diagnostics;
+    const auto old_text = read_file(path, ignored_diagnostics);
+    const auto old = old_text ? read_brdf(*old_text, path, ignored_diagnostics) : std::nullopt;
     if (old && *old == instance) return;
     add(path, (old_text ? comments_of(old_text) : "") + to_text(instance) + "\n",
         "it would have to hold a BRDF and blocks");

@@ -201,7 +201,7 @@ void read_reflection(const aiMaterial& material, const AssimpRules& rules, Phong
   if (phong.exponent && rules.shininess_is_percentage) {
     phong.exponent = exponent_of_percentage(*phong.exponent);
   } else if (phong.exponent && (shading == aiShadingMode_Blinn || rules.exponent_is_of_half_vector)) {
-    phong.exponent = about_mirror(*phong.exponent);
+    phong.exponent = to_phong_exponent(*phong.exponent);
   }
   if (shading == aiShadingMode_NoShading && rules.unlit_has_no_reflection) phong.diffuse = grf::Vec3d(0);
 }

@@ -15,7 +15,7 @@
 #include "converters/assimp/assimp_textures.h"
 #include "converters/materials.h"
 #include "converters/mesh_builder.h"
-#include "converters/scene_parts.h"
+#include "converters/scene_building.h"
 #include "converters/wording.h"
 
 namespace convert {
@@ -212,7 +212,7 @@ void SceneMaker::add_faces(const aiMesh& mesh, MeshBuilder& builder) {
 
 void SceneMaker::count_losses(const aiMesh& mesh, std::size_t faces) {
   for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
-    if (face.mNumIndices == 0) losses_.add(Loss::ShortFace);
+    if (face.mNumIndices == 0) losses_.add(Loss::DegenerateFace);
     if (face.mNumIndices == 1) losses_.add(Loss::Point);
     if (face.mNumIndices == 2) losses_.add(Loss::Line);
   }

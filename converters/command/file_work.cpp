@@ -20,16 +20,16 @@ std::string size_text(std::uint64_t bytes) {
 }
 
 /// Returns the error message for a child that crashed or exceeded a limit.
-std::string why_it_died(const Ending& ending, const Limits& limits) {
-  switch (ending.cause) {
-    case Ending::Cause::OutOfMemory:
+std::string reason_of_failure(const ChildExit& child_exit, const Limits& limits) {
+  switch (child_exit.cause) {
+    case ChildExit::Cause::OutOfMemory:
       return limits.memory == 0 ? "out of memory"
                                 : fmt::format("exceeded the memory limit of {}", size_text(limits.memory));
-    case Ending::Cause::OutOfTime:
+    case ChildExit::Cause::OutOfTime:
       return fmt::format("exceeded the time limit of {:g} s", limits.seconds);
-    case Ending::Cause::Crashed:
-      return fmt::format("the conversion crashed ({})", ::strsignal(ending.signal));
-    case Ending::Cause::Returned:
+    case ChildExit::Cause::Crashed:
+      return fmt::format("the conversion crashed ({})", ::strsignal(child_exit.signal));
+    case ChildExit::Cause::Returned:
       break;
   }
   return {};
@@ -39,12 +39,12 @@ std::string folder_of(const std::string& path) {
   return std::filesystem::path(grf::canonical_path(path)).parent_path().string();
 }
 
-FileWork::Result result_of(std::size_t file, const Ending& ending) {
+FileWork::Result result_of(std::size_t file, const ChildExit& child_exit) {
   FileWork::Result result;
   result.file = file;
-  result.has_ended = ending.cause == Ending::Cause::Returned;
-  result.code = result.has_ended ? ending.code : ExitCode::BadInput;
-  if (result.has_ended) result.out = ending.out;
+  result.has_ended = child_exit.cause == ChildExit::Cause::Returned;
+  result.code = result.has_ended ? child_exit.code : ExitCode::BadInput;
+  if (result.has_ended) result.out = child_exit.out;
   return result;
 }
 
@@ -52,25 +52,26 @@ FileWork::Result result_of(std::size_t file, const Ending& ending) {
 
 ExitCode run(const FileWork& work) {
   ExitCode code = ExitCode::Done;
-  Pieces pieces;
-  pieces.count = work.inputs.size();
-  pieces.at_once = work.at_once;
-  pieces.work = work.work;
-  pieces.ended = [&](std::size_t file, const Ending& ending) {
-    const FileWork::Result result = result_of(file, ending);
+  Jobs jobs;
+  jobs.count = work.inputs.size();
+  jobs.at_once = work.at_once;
+  jobs.work = work.work;
+  jobs.ended = [&](std::size_t file, const ChildExit& child_exit) {
+    const FileWork::Result result = result_of(file, child_exit);
     work.before_errors(result);
-    fmt::print(stderr, "{}", ending.err);
+    fmt::print(stderr, "{}", child_exit.err);
     if (!result.has_ended) {
       grf::Diagnostics diagnostics;
-      diagnostics.error(grf::whole_file(work.inputs[file]), why_it_died(ending, work.limits));
+      diagnostics.error(grf::whole_file(work.inputs[file]), reason_of_failure(child_exit, work.limits));
       print(diagnostics, true);
-      if (!work.outputs.empty()) grf::remove_temporary_files(folder_of(work.outputs[file]), ending.process);
+      if (!work.outputs.empty())
+        grf::remove_temporary_files(folder_of(work.outputs[file]), child_exit.process);
     }
-    if (result.code != ExitCode::Done) code = pieces.count == 1 ? result.code : ExitCode::BadInput;
+    if (result.code != ExitCode::Done) code = jobs.count == 1 ? result.code : ExitCode::BadInput;
     work.done(result);
   };
   std::vector<pid_t> left;
-  if (run_supervised(pieces, work.limits, left)) return code;
+  if (run_supervised(jobs, work.limits, left)) return code;
   std::set<std::string> folders;
   for (const std::string& output : work.outputs) folders.insert(folder_of(output));
   for (const pid_t process : left) {

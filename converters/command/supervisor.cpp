@@ -108,7 +108,7 @@ class HeldSignals {
 };
 
 struct Child {
-  std::size_t piece = 0;
+  std::size_t job = 0;
   pid_t process = 0;
   std::optional<Clock::time_point> deadline;
   bool is_out_of_time = false;
@@ -126,10 +126,10 @@ void limit_resources(const Limits& limits) {
 }
 
 /// Runs a job in the child and exits.
-[[noreturn]] void work_and_exit(const Pieces& pieces, std::size_t piece) {
+[[noreturn]] void work_and_exit(const Jobs& jobs, std::size_t job) {
   int code = 0;
   try {
-    code = static_cast<int>(pieces.work(piece));
+    code = static_cast<int>(jobs.work(job));
   } catch (const std::bad_alloc&) {
     code = OutOfMemoryCode;
   } catch (const std::exception& error) {
@@ -140,32 +140,32 @@ void limit_resources(const Limits& limits) {
   ::_exit(code);  // without the parent's exit handlers
 }
 
-Ending ending_of(const Child& child, int status) {
-  Ending ending;
-  ending.process = child.process;
-  ending.out = child.out.text();
-  ending.err = child.err.text();
+ChildExit child_exit_of(const Child& child, int status) {
+  ChildExit child_exit;
+  child_exit.process = child.process;
+  child_exit.out = child.out.text();
+  child_exit.err = child.err.text();
   if (WIFSIGNALED(status)) {
-    ending.cause = child.is_out_of_time ? Ending::Cause::OutOfTime : Ending::Cause::Crashed;
-    ending.signal = WTERMSIG(status);
+    child_exit.cause = child.is_out_of_time ? ChildExit::Cause::OutOfTime : ChildExit::Cause::Crashed;
+    child_exit.signal = WTERMSIG(status);
   } else if (WEXITSTATUS(status) == OutOfMemoryCode) {
-    ending.cause = Ending::Cause::OutOfMemory;
+    child_exit.cause = ChildExit::Cause::OutOfMemory;
   } else {
-    ending.code = static_cast<ExitCode>(WEXITSTATUS(status));
+    child_exit.code = static_cast<ExitCode>(WEXITSTATUS(status));
   }
-  return ending;
+  return child_exit;
 }
 
 class Supervisor {
  public:
-  Supervisor(const Pieces& pieces, const Limits& limits) : pieces_(pieces), limits_(limits) {}
+  Supervisor(const Jobs& jobs, const Limits& limits) : jobs_(jobs), limits_(limits) {}
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
   ~Supervisor() { end_all(); }
 
   bool run() {
-    while (next_ < pieces_.count || !children_.empty()) {
-      while (next_ < pieces_.count && children_.size() < std::max<std::size_t>(pieces_.at_once, 1)) start();
+    while (next_ < jobs_.count || !children_.empty()) {
+      while (next_ < jobs_.count && children_.size() < std::max<std::size_t>(jobs_.at_once, 1)) start();
       const int signal = signals_.wait(time_left());
       if (signal == SIGINT || signal == SIGTERM) return false;
       end_late_ones();
@@ -201,7 +201,7 @@ class Supervisor {
       ::dup2(child.err.descriptor(), STDERR_FILENO);
       signals_.release();
       limit_resources(limits_);
-      work_and_exit(pieces_, child.piece);
+      work_and_exit(jobs_, child.job);
     }
     constexpr double Years = 1e9;  // in seconds, which does not overflow the clock
     const std::chrono::duration<double> longest(std::min(limits_.seconds, Years));
@@ -242,11 +242,11 @@ class Supervisor {
       std::swap(children_[i], children_.back());
       const Child child = std::move(children_.back());
       children_.pop_back();
-      pieces_.ended(child.piece, ending_of(child, status));
+      jobs_.ended(child.job, child_exit_of(child, status));
     }
   }
 
-  const Pieces& pieces_;
+  const Jobs& jobs_;
   const Limits& limits_;
   HeldSignals signals_;
   std::size_t next_ = 0;
@@ -255,8 +255,8 @@ class Supervisor {
 
 }  // namespace
 
-bool run_supervised(const Pieces& pieces, const Limits& limits, std::vector<pid_t>& left) {
-  Supervisor supervisor(pieces, limits);
+bool run_supervised(const Jobs& jobs, const Limits& limits, std::vector<pid_t>& left) {
+  Supervisor supervisor(jobs, limits);
   if (supervisor.run()) return true;
   left = supervisor.end_all();
   return false;

@@ -21,7 +21,7 @@ struct Limits {
 };
 
 /// The exit status and output of a child process.
-struct Ending {
+struct ChildExit {
   enum class Cause {
     Returned,     ///< the job returned, successfully or not: see `code`
     OutOfMemory,  ///< an allocation failed, and only the child's `main` caught it
@@ -37,16 +37,16 @@ struct Ending {
 };
 
 /// Jobs to run in child processes, identified by their index.
-struct Pieces {
+struct Jobs {
   std::size_t count = 0;
   std::size_t at_once = 1;  ///< maximum number of concurrent children
 
   /// Called in the child. If it throws std::bad_alloc, the child ends as OutOfMemory; the message of any
   /// other exception is printed as an error, and the code is BadInput.
-  std::function<grf::ExitCode(std::size_t piece)> work;
+  std::function<grf::ExitCode(std::size_t job)> work;
   /// Called in this process as soon as a child has ended, in any order. May throw: the other children are
   /// terminated then.
-  std::function<void(std::size_t piece, const Ending& ending)> ended;
+  std::function<void(std::size_t job, const ChildExit& child_exit)> ended;
 };
 
 /// Runs all jobs, also after failures. Returns false after SIGINT or SIGTERM: all children were terminated
@@ -54,6 +54,6 @@ struct Pieces {
 /// processes, which may have left temporary files.
 ///
 /// Children leave no core dumps, and die with this process. This process must be single-threaded.
-bool run_supervised(const Pieces& pieces, const Limits& limits, std::vector<pid_t>& left);
+bool run_supervised(const Jobs& jobs, const Limits& limits, std::vector<pid_t>& left);
 
 }  // namespace convert

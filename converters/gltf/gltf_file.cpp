@@ -234,15 +234,14 @@ class Loader {
       return false;
     }
     if (lacks_extension()) return false;
-    std::vector<std::string> passed_over;
+    std::vector<std::string> skipped;
     for (const std::string& extension : file_.model.extensionsUsed) {
-      if (!is_one_of(KnownExtensions, extension)) passed_over.push_back(extension);
+      if (!is_one_of(KnownExtensions, extension)) skipped.push_back(extension);
     }
-    if (!passed_over.empty()) {
-      diagnostics_.warning(
-          location_,
-          fmt::format("{} skipped: {}", counted(passed_over.size(), "extension was", "extensions were"),
-                      listed(passed_over)));
+    if (!skipped.empty()) {
+      diagnostics_.warning(location_, fmt::format("{} skipped: {}",
+                                                  counted(skipped.size(), "extension was", "extensions were"),
+                                                  listed(skipped)));
     }
     return true;
   }

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "converters/scene_parts.h"
+#include "converters/scene_building.h"
 #include "grf/read.h"
 
 namespace convert {

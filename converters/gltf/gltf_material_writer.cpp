@@ -94,8 +94,8 @@ int GltfMaterialWriter::add(json material) {
 
 int GltfMaterialWriter::material(const grf::Surface& surface, const grf::Scope& scope) {
   const grf::ResolvedSurface resolved = grf::resolve(surface, scope);
-  FacetValues facets{grf::Vec3d(resolved.emission ? 0 : 0.5), grf::Vec3d(0), 1};
-  if (resolved.brdf != nullptr) facets = facet_values(brdf_parts(*resolved.brdf, resolved.brdf_scope));
+  MicrofacetValues facets{grf::Vec3d(resolved.emission ? 0 : 0.5), grf::Vec3d(0), 1};
+  if (resolved.brdf != nullptr) facets = microfacet_values(brdf_lobes(*resolved.brdf, resolved.brdf_scope));
   MetallicRoughness values = metallic_roughness(facets);
   values.base_colour *= grf::Vec3d(resolved.colour);
   json material;
@@ -153,8 +153,8 @@ json GltfMaterialWriter::image(const std::string& file) {
     if (extension != ".png" && extension != ".jpg" && extension != ".jpeg") unknown_.push_back(file);
     return {{"uri", to_uri(file)}};
   }
-  grf::Diagnostics unheard;
-  const auto bytes = grf::read_file(grf::path_beside(path_, file), unheard);
+  grf::Diagnostics ignored_diagnostics;
+  const auto bytes = grf::read_file(grf::path_beside(path_, file), ignored_diagnostics);
   if (!bytes) {
     unreadable_.push_back(file);
     return nullptr;

@@ -117,7 +117,7 @@ class Reading {
  public:
   Reading(const tinygltf::Material& source, const GltfImages& images) : source_(source), images_(images) {}
 
-  FacetMaterial run() {
+  MicrofacetMaterial run() {
     material_.name = source_.name;
     material_.source = "glTF";
     if (const Value* glossiness = extension_of(source_, "pbrSpecularGlossiness")) {
@@ -141,8 +141,8 @@ class Reading {
   std::optional<grf::BrdfModel> exact_brdf(grf::Colour& colour) const {
     const Value& extras = grf_extras();
     if (!extras.Has("brdf") || !extras.Get("brdf").IsString()) return std::nullopt;
-    grf::Diagnostics unheard;
-    auto brdf = grf::read_brdf(extras.Get("brdf").Get<std::string>(), source_.name, unheard);
+    grf::Diagnostics ignored_diagnostics;
+    auto brdf = grf::read_brdf(extras.Get("brdf").Get<std::string>(), source_.name, ignored_diagnostics);
     const auto rgb = numbers<3>(extras, "rgb", {1, 1, 1});
     colour = grf::Colour(to_vector(rgb));
     if (!brdf || !fits(*brdf, to_vector(rgb))) return std::nullopt;
@@ -170,7 +170,7 @@ class Reading {
   bool fits(const grf::BrdfModel& brdf, const grf::Vec3d& colour) const {
     constexpr double Rounding = 3e-6;
     const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
-    const MetallicRoughness values = metallic_roughness(facet_values(brdf_parts(brdf)));
+    const MetallicRoughness values = metallic_roughness(microfacet_values(brdf_lobes(brdf)));
     bool same = std::abs(values.metallic - pbr.metallicFactor) < Rounding &&
                 std::abs(values.roughness - pbr.roughnessFactor) < Rounding &&
                 pbr.baseColorFactor.size() == 4;
@@ -189,7 +189,7 @@ class Reading {
     say(fmt::format("baseColorFactor {}", joined(pbr.baseColorFactor)));
     say(fmt::format("metallicFactor {}", pbr.metallicFactor));
     say(fmt::format("roughnessFactor {}", pbr.roughnessFactor));
-    const FacetValues facets = facet_values(values, dielectric());
+    const MicrofacetValues facets = microfacet_values(values, dielectric());
     material_.diffuse = facets.diffuse;
     material_.specular = facets.specular;
     material_.slope = facets.slope;
@@ -289,7 +289,7 @@ class Reading {
   const tinygltf::Material& source_;
   const GltfImages& images_;
   const Value nothing_;
-  FacetMaterial material_;
+  MicrofacetMaterial material_;
   TextureLookup lookup_;
 };
 
@@ -302,7 +302,7 @@ GltfMaterials::GltfMaterials(const GltfFile& file, const GltfImages& images, Def
 
 void GltfMaterials::add(const tinygltf::Material& source, std::size_t index) {
   Reading reading(source, images_);
-  FacetMaterial material = reading.run();
+  MicrofacetMaterial material = reading.run();
   std::replace_if(
       material.name.begin(), material.name.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; },
       ' ');

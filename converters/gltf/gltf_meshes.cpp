@@ -126,7 +126,7 @@ class MeshReader {
                  const std::optional<std::vector<std::uint32_t>>& indices) {
     const std::size_t corners = indices ? indices->size() : blocks_[block].used.size();
     if (primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners % 3 != 0 : corners < 3 && corners != 0) {
-      losses_.add(Loss::ShortFace);
+      losses_.add(Loss::DegenerateFace);
     }
     const std::size_t faces = corners < 3                                 ? 0
                               : primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners / 3

@@ -17,7 +17,7 @@
 #include "converters/gltf/gltf_materials.h"
 #include "converters/gltf/gltf_meshes.h"
 #include "converters/gltf/gltf_nodes.h"
-#include "converters/scene_parts.h"
+#include "converters/scene_building.h"
 #include "converters/wording.h"
 
 namespace convert {

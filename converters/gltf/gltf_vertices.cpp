@@ -148,21 +148,21 @@ class VertexReader {
     const int joints_accessor = attribute(fmt::format("JOINTS_{}", set));
     const int weights_accessor = attribute(fmt::format("WEIGHTS_{}", set));
     std::vector<Four> joints;
-    std::vector<Four> shares;
+    std::vector<Four> joint_weights;
     const bool read_both =
-        read("JOINTS", joints_accessor, joints) && read("WEIGHTS", weights_accessor, shares);
+        read("JOINTS", joints_accessor, joints) && read("WEIGHTS", weights_accessor, joint_weights);
     if (!read_both) return false;
     for (std::size_t i = 0; i < size(); ++i) {
       for (std::size_t k = 0; k < 4; ++k) {
-        const double share = shares[i][k];
-        if (share <= 0) continue;
+        const double weight = joint_weights[i][k];
+        if (weight <= 0) continue;
         if (!(joints[i][k] >= 0 && joints[i][k] < static_cast<float>(pose_.joints.size()))) {
           accessors_.fail(
               fmt::format("vertex {} follows joint {} of {}", i, joints[i][k], pose_.joints.size()));
           return false;
         }
-        sums[i] += pose_.joints[static_cast<std::size_t>(joints[i][k])] * share;
-        weights[i] += share;
+        sums[i] += pose_.joints[static_cast<std::size_t>(joints[i][k])] * weight;
+        weights[i] += weight;
       }
     }
     return true;

@@ -12,7 +12,7 @@
 #include "converters/gltf/gltf_images.h"
 #include "converters/gltf/gltf_material_writer.h"
 #include "converters/gltf/gltf_node_writer.h"
-#include "converters/scene_parts.h"
+#include "converters/scene_building.h"
 #include "converters/text_encoding.h"
 #include "grf/read.h"
 #include "grf/relocate.h"

@@ -163,9 +163,9 @@ class Silence {
 /// A triangle mesh under decimation.
 class Decimation {
  public:
-  explicit Decimation(const grf::Mesh& mesh) : mesh_(mesh), alike_(first_alike(mesh)) {
+  explicit Decimation(const grf::Mesh& mesh) : mesh_(mesh), alike_(first_equal_vertex(mesh)) {
     const Silence silence;
-    const std::vector<std::uint32_t> places = grf::first_at_place(*mesh.geometry);
+    const std::vector<std::uint32_t> places = grf::first_at_position(*mesh.geometry);
     const std::vector<bool> is_left_alone = faces_to_leave_alone(places);
     std::vector<Vertex> vertex_at(mesh.geometry->positions.size());
     for (std::size_t face = 0; face < mesh.face_count(); ++face) {
@@ -220,10 +220,10 @@ class Decimation {
  private:
   std::vector<bool> faces_to_leave_alone(const std::vector<std::uint32_t>& places) const {
     std::vector<bool> left_alone(mesh_.face_count());
-    const std::vector<grf::FaceEdge> edges = grf::edges_of_faces(*mesh_.geometry, places);
-    grf::for_each_edge(edges, [&](std::span<const grf::FaceEdge> of_faces) {
+    const std::vector<grf::HalfEdge> edges = grf::half_edges_of(*mesh_.geometry, places);
+    grf::for_each_edge(edges, [&](std::span<const grf::HalfEdge> of_faces) {
       if (of_faces.size() <= 2) return;
-      for (const grf::FaceEdge& edge : of_faces) left_alone[edge.face] = true;
+      for (const grf::HalfEdge& edge : of_faces) left_alone[edge.face] = true;
     });
     return left_alone;
   }

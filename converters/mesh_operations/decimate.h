@@ -17,7 +17,7 @@ struct Decimated {
 /// Edges are collapsed onto one of their ends (half-edge collapse), in the order of their quadric error
 /// (Garland and Heckbert 1997, Surface simplification using quadric error metrics), unless a face would flip.
 ///
-/// So the remaining vertices are a subset, with the same normals, colours, texture coordinates and
+/// The remaining vertices are therefore a subset, with the same normals, colours, texture coordinates and
 /// irradiance, and faces keep their surfaces. Boundaries and borders between surfaces keep their shape: only
 /// vertices in the middle of a straight line are removed from them. A seam of normals or texture coordinates
 /// stays one. Faces at non-manifold edges, or with two corners at one position, stay unchanged, and so do

@@ -33,7 +33,7 @@ void EdgeRules::find_sharp_edges(const grf::Geometry& geometry, const EdgeRules*
     is_sharp_[edge] = faces.size() != 2;
     if (surface != nullptr) {
       const std::uint32_t of_surface = surface->edges().at_corner(faces.front().corner);
-      const bool has_length = of_surface != grf::SharedEdges::None;
+      const bool has_length = of_surface != grf::SharedEdges::InvalidIndex;
       is_seam = !has_length || surface->edges().faces_at(of_surface).size() != faces.size();
       is_sharp_[edge] = is_sharp_[edge] || is_seam;
     }
@@ -53,7 +53,7 @@ void EdgeRules::find_split_vertices(const grf::Geometry& geometry) {
   grf::DisjointSets fans(geometry.corners.size());
   for (std::uint32_t edge = 0; edge < edges_.edge_count(); ++edge) {
     const auto faces = edges_.faces_at(edge);
-    for (const grf::FaceEdge& other : faces.subspan(1)) {
+    for (const grf::HalfEdge& other : faces.subspan(1)) {
       grf::join_at_edge(fans, geometry, ids_, faces.front(), other);
     }
   }

@@ -12,7 +12,7 @@
 #include "converters/mesh_operations/subdivide.h"
 #include "converters/mesh_operations/triangulate.h"
 #include "converters/mesh_operations/weld.h"
-#include "converters/scene_parts.h"
+#include "converters/scene_building.h"
 #include "converters/wording.h"
 #include "grf/topology.h"
 

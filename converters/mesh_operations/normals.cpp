@@ -21,7 +21,7 @@ grf::Mesh without_normals(const grf::Mesh& mesh) {
 
 grf::Mesh with_flat_faces(const grf::Mesh& mesh) {
   const grf::Mesh bare = without_normals(mesh);
-  const std::vector<std::uint32_t> alike = first_alike(bare);
+  const std::vector<std::uint32_t> alike = first_equal_vertex(bare);
   Rebuild rebuild(bare);
   std::vector<std::uint32_t> corners;
   for (std::size_t face = 0; face < bare.face_count(); ++face) {
@@ -34,11 +34,11 @@ grf::Mesh with_flat_faces(const grf::Mesh& mesh) {
 
 grf::Mesh with_smooth_normals(const grf::Mesh& mesh, double crease) {
   const grf::Mesh bare = without_normals(mesh);
-  const std::vector<std::uint32_t> alike = first_alike(bare);
+  const std::vector<std::uint32_t> alike = first_equal_vertex(bare);
   // Rounding must not turn the given angle itself into a crease.
   constexpr double Rounding = 1e-6;
   const grf::Geometry& geometry = *bare.geometry;
-  CreasedNormals normals = creased_normals(geometry, grf::first_at_place(geometry), crease + Rounding);
+  CreasedNormals normals = creased_normals(geometry, grf::first_at_position(geometry), crease + Rounding);
   grf::MeshDraft result = without_geometry(bare);
   std::unordered_map<std::uint64_t, std::uint32_t> vertices;  // by representative vertex and set of corners
   std::vector<std::uint32_t> corners;

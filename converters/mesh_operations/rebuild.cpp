@@ -47,8 +47,8 @@ bool have_same_irradiance(const grf::Mesh& mesh, std::uint32_t a, std::uint32_t 
 
 }  // namespace
 
-std::vector<std::uint32_t> first_alike(const grf::Mesh& mesh) {
-  const std::vector<std::uint32_t> places = grf::first_at_place(*mesh.geometry);
+std::vector<std::uint32_t> first_equal_vertex(const grf::Mesh& mesh) {
+  const std::vector<std::uint32_t> places = grf::first_at_position(*mesh.geometry);
   std::unordered_map<Key, std::uint32_t, KeyHash> known;
   known.reserve(mesh.geometry->positions.size());
   std::vector<std::uint32_t> first;

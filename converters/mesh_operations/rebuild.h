@@ -12,7 +12,7 @@ namespace convert {
 
 /// Returns, for each vertex, the first equal one: with the same position, normal, colour, texture coordinates
 /// and irradiance, bit for bit.
-std::vector<std::uint32_t> first_alike(const grf::Mesh& mesh);
+std::vector<std::uint32_t> first_equal_vertex(const grf::Mesh& mesh);
 
 /// Returns, for each vertex, the first one with the same position and value of one attribute.
 template <class Value>
@@ -21,7 +21,7 @@ std::vector<std::uint32_t> first_with_value(const grf::Geometry& geometry,
   grf::MeshDraft of_one_kind;
   of_one_kind.positions = geometry.positions;
   of_one_kind.*values = geometry.*values;
-  return first_alike(std::move(of_one_kind));
+  return first_equal_vertex(std::move(of_one_kind));
 }
 
 /// A builder of a mesh with new faces of an existing mesh's vertices. Name, comments and surfaces are those

@@ -17,7 +17,7 @@ void move_towards_neighbours(const grf::Geometry& geometry, const EdgeRules& rul
   std::vector<grf::Vec3d> sums(positions.size(), grf::Vec3d(0));
   std::vector<std::uint32_t> counts(positions.size());
   for (std::uint32_t edge = 0; edge < rules.edges().edge_count(); ++edge) {
-    const grf::FaceEdge& first = rules.edges().faces_at(edge).front();
+    const grf::HalfEdge& first = rules.edges().faces_at(edge).front();
     const std::uint32_t a = rules.id(geometry.corners[first.corner]);
     const std::uint32_t b = rules.id(geometry.corners[grf::end_corner(geometry, first)]);
     sums[a] += positions[b];
@@ -55,7 +55,7 @@ grf::Mesh smoothed(const grf::Mesh& mesh, int steps) {
   constexpr double PassBand = 0.1;
   constexpr double Back = 1 / (PassBand - 1 / Forth);
   const grf::Geometry& geometry = *mesh.geometry;
-  const std::vector<std::uint32_t> places = grf::first_at_place(geometry);
+  const std::vector<std::uint32_t> places = grf::first_at_position(geometry);
   const EdgeRules rules(geometry, places);
   std::vector<grf::Vec3d> positions(geometry.positions.begin(), geometry.positions.end());
   for (int i = 0; i < steps; ++i) {

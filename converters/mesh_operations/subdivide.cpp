@@ -18,7 +18,7 @@ namespace {
 
 using Ids = std::vector<std::uint32_t>;
 using Rule = EdgeRules::Rule;
-constexpr std::uint32_t None = grf::SharedEdges::None;
+constexpr std::uint32_t InvalidIndex = grf::SharedEdges::InvalidIndex;
 
 /// A mesh at one level, without normals. Identities of vertices are inherited from the previous level:
 /// vertices that coincide by chance are not merged.
@@ -59,14 +59,14 @@ class Masks {
  private:
   Value value(std::uint32_t vertex) const { return old_(rules_.id(vertex)); }
 
-  std::array<std::uint32_t, 2> ends(const grf::FaceEdge& edge) const {
+  std::array<std::uint32_t, 2> ends(const grf::HalfEdge& edge) const {
     return {rules_.id(geometry_.corners[edge.corner]),
             rules_.id(geometry_.corners[grf::end_corner(geometry_, edge)])};
   }
 
   /// Returns a face's contribution to an interior edge, which has the weight 1/4. For a triangle, (a + b +
   /// c)/3 includes the opposite vertex; Loop's mask is 3/8 of the ends and 1/8 of the opposite vertices.
-  Value of_face(const grf::FaceEdge& edge, const Value& sum_of_ends) const {
+  Value of_face(const grf::HalfEdge& edge, const Value& sum_of_ends) const {
     const Value& middle = refined_.at_face[edge.face];
     return is_loop_ ? (3.0 * middle - sum_of_ends + sum_of_ends / 2) / 2 : middle;
   }
@@ -185,7 +185,7 @@ class Refinement {
   void refine(const EdgeRules& rules, const Values& values, Ids& ids, Append append) {
     const auto old = [&](std::uint32_t vertex) { return Value(values[vertex]); };
     const Refined<Value> refined = Masks<Value, decltype(old)>(level_.mesh, rules, scheme_, old).run();
-    std::vector<std::uint32_t> first_at_edge(refined.at_edge.size(), None);
+    std::vector<std::uint32_t> first_at_edge(refined.at_edge.size(), InvalidIndex);
     for (std::uint32_t i = 0; i < vertex_count(); ++i) {
       if (i >= first_of_faces_) {
         append(refined.at_face[i - first_of_faces_]);
@@ -196,8 +196,8 @@ class Refinement {
       if (i >= first_of_edges_) {
         const std::uint32_t corner = edges_.faces_at(i - first_of_edges_).front().corner;
         const std::uint32_t edge = rules.edges().at_corner(corner);
-        if (edge != None) {
-          if (first_at_edge[edge] == None) first_at_edge[edge] = i;
+        if (edge != InvalidIndex) {
+          if (first_at_edge[edge] == InvalidIndex) first_at_edge[edge] = i;
           append(refined.at_edge[edge]);
           ids.push_back(first_at_edge[edge]);
           continue;
@@ -212,7 +212,7 @@ class Refinement {
   /// Returns the new vertex on the edge that begins at a corner.
   std::uint32_t edge_vertex(std::uint32_t corner) const {
     const std::uint32_t edge = edges_.at_corner(corner);
-    return edge == None ? level_.mesh.corners[corner] : first_of_edges_ + edge;
+    return edge == InvalidIndex ? level_.mesh.corners[corner] : first_of_edges_ + edge;
   }
 
   void cut_polygon(std::size_t face) {
@@ -263,7 +263,7 @@ Level first_level(const grf::Mesh& mesh, SubdivisionScheme scheme) {
   const grf::Mesh flat = with_flat_faces(std::move(bare));
   const grf::Mesh whole = scheme == SubdivisionScheme::Loop ? triangulated(flat) : flat;
   const grf::Geometry& geometry = *whole.geometry;
-  return {grf::MeshDraft(whole), grf::first_at_place(geometry),
+  return {grf::MeshDraft(whole), grf::first_at_position(geometry),
           first_with_value(geometry, &grf::Geometry::uvs),
           first_with_value(geometry, &grf::Geometry::colours)};
 }

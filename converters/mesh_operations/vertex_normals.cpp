@@ -35,13 +35,13 @@ constexpr std::size_t MostCompared = 16;
 
 grf::DisjointSets smooth_corners(const grf::Geometry& geometry, std::span<const std::uint32_t> places,
                                  const std::vector<grf::Vec3d>& normals, double crease) {
-  const auto is_smooth = [&](const grf::FaceEdge& a, const grf::FaceEdge& b) {
+  const auto is_smooth = [&](const grf::HalfEdge& a, const grf::HalfEdge& b) {
     const grf::Vec3d& normal_a = normals[a.face];
     const grf::Vec3d& normal_b = normals[b.face];
     return normal_a.length2() > 0 && normal_b.length2() > 0 && angle_between(normal_a, normal_b) <= crease;
   };
   grf::DisjointSets corners(geometry.corners.size());
-  grf::for_each_edge(grf::edges_of_faces(geometry, places), [&](std::span<const grf::FaceEdge> of_faces) {
+  grf::for_each_edge(grf::half_edges_of(geometry, places), [&](std::span<const grf::HalfEdge> of_faces) {
     for (std::size_t i = 0; i < of_faces.size(); ++i) {
       const std::size_t end = std::min(of_faces.size(), i + 1 + MostCompared);
       for (std::size_t k = i + 1; k < end; ++k) {

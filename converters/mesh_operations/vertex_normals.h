@@ -30,7 +30,7 @@ struct CreasedNormals {
 };
 
 /// Computes normals that are smooth across each edge whose faces' normals differ by an angle of at most
-/// `crease`, in radians. All edges of degenerate faces are creases. `places`: see `edges_of_faces`.
+/// `crease`, in radians. All edges of degenerate faces are creases. `places`: see `half_edges_of`.
 CreasedNormals creased_normals(const grf::Geometry& geometry, std::span<const std::uint32_t> places,
                                double crease);
 

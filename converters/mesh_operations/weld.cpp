@@ -68,7 +68,7 @@ class Grid {
 
 /// Returns, for each vertex, the one whose position it gets.
 std::vector<std::uint32_t> places_after_welding(const grf::Mesh& mesh, double distance) {
-  std::vector<std::uint32_t> places = grf::first_at_place(*mesh.geometry);
+  std::vector<std::uint32_t> places = grf::first_at_position(*mesh.geometry);
   if (distance <= 0) return places;
   Grid grid(mesh, distance);
   for (std::uint32_t i = 0; i < places.size(); ++i) {
@@ -98,7 +98,7 @@ Welded weld(const grf::Mesh& mesh, double distance) {
   grf::MeshDraft draft(mesh);
   for (std::uint32_t i = 0; i < places.size(); ++i) draft.positions[i] = mesh.geometry->positions[places[i]];
   const grf::Mesh moved(std::move(draft));
-  const std::vector<std::uint32_t> alike = first_alike(moved);
+  const std::vector<std::uint32_t> alike = first_equal_vertex(moved);
   Welded welded;
   for (std::uint32_t i = 0; i < places.size(); ++i) {
     if (places[i] != i || alike[i] != i) ++welded.merged_vertices;

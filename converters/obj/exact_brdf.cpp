@@ -30,15 +30,15 @@ constexpr std::string_view OwnName = "$combine";
 
 std::optional<grf::BrdfModel> read_exact_brdf(std::string_view text,
                                               const std::function<bool(const std::string&)>& is_known) {
-  grf::Diagnostics unheard;
-  if (!text.starts_with("combine ")) return grf::read_brdf(std::string(text), "comment", unheard);
+  grf::Diagnostics ignored_diagnostics;
+  if (!text.starts_with("combine ")) return grf::read_brdf(std::string(text), "comment", ignored_diagnostics);
   // A `combine` is only valid in the scope of its terms.
   std::string scene = "def ";
   for (const std::string& name : identifiers_of(text)) {
     if (is_known(name)) scene += name + " = brdf diffuse\n";
   }
   scene.append(OwnName).append(" = brdf ").append(text).append("\nbegin end");
-  const auto read = grf::read_text(scene, "comment", unheard);
+  const auto read = grf::read_text(scene, "comment", ignored_diagnostics);
   if (!read || read->contents.blocks.size() != 1) return std::nullopt;
   const auto* scope = std::get_if<grf::DefinitionScope>(&read->contents.blocks.front().content);
   if (scope == nullptr || scope->definitions.back().name != OwnName) return std::nullopt;

@@ -127,7 +127,7 @@ void MtlWriter::find_definitions(const grf::Scene& scene) {
     if (brdf == nullptr) return;
     const NamedBrdf& named =
         definitions_.emplace_back(NamedBrdf{&definition, named_brdfs(*brdf, placement.scope)});
-    parts_of_definitions_.emplace(brdf, parts_of(*brdf, named.terms));  // its terms precede it
+    lobes_of_definitions_.emplace(brdf, lobes_of(*brdf, named.terms));  // its terms precede it
   };
   grf::visit(scene, visitor);
 }
@@ -192,22 +192,22 @@ std::optional<grf::BrdfModel> MtlWriter::with_named_terms(const Key& key) const 
   return named;
 }
 
-BrdfParts MtlWriter::parts_of(const grf::BrdfModel& brdf,
+BrdfLobes MtlWriter::lobes_of(const grf::BrdfModel& brdf,
                               const std::vector<const grf::BrdfModel*>& terms) const {
-  if (brdf.terms.empty()) return brdf_parts(brdf);
-  std::vector<WeightedParts> parts;
+  if (brdf.terms.empty()) return brdf_lobes(brdf);
+  std::vector<WeightedLobes> lobes;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    const auto known = parts_of_definitions_.find(terms[i]);
-    if (known == parts_of_definitions_.end()) continue;  // the name is undefined
-    parts.push_back({static_cast<double>(brdf.terms[i].weight), known->second});
+    const auto known = lobes_of_definitions_.find(terms[i]);
+    if (known == lobes_of_definitions_.end()) continue;  // the name is undefined
+    lobes.push_back({static_cast<double>(brdf.terms[i].weight), known->second});
   }
-  return sum_of_parts(parts);
+  return sum_of_lobes(lobes);
 }
 
 PhongMaterial MtlWriter::phong_of(const Key& key) const {
   PhongMaterial phong;
   if (key.brdf != nullptr) {
-    phong = phong_material(parts_of(*key.brdf, key.terms));
+    phong = phong_material(lobes_of(*key.brdf, key.terms));
   } else {
     phong.diffuse = grf::Vec3d(key.is_black ? 0 : 0.5);
     phong.reflection = Reflection::None;

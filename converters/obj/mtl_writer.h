@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "converters/brdf_parts.h"
+#include "converters/brdf_lobes.h"
 #include "converters/material_mapping.h"
 #include "converters/material_rule.h"
 #include "converters/world_meshes.h"
@@ -68,12 +68,12 @@ class MtlWriter {
   void add_materials(const std::vector<Key>& keys);
   void add(const Key& key, const std::string& name);
   std::optional<grf::BrdfModel> with_named_terms(const Key& key) const;
-  BrdfParts parts_of(const grf::BrdfModel& brdf, const std::vector<const grf::BrdfModel*>& terms) const;
+  BrdfLobes lobes_of(const grf::BrdfModel& brdf, const std::vector<const grf::BrdfModel*>& terms) const;
   PhongMaterial phong_of(const Key& key) const;
   std::string text_of(const Material& material) const;
 
   std::vector<NamedBrdf> definitions_;
-  std::map<const grf::BrdfModel*, BrdfParts> parts_of_definitions_;
+  std::map<const grf::BrdfModel*, BrdfLobes> lobes_of_definitions_;
   std::map<const grf::BrdfModel*, std::size_t> first_of_brdf_;
   std::vector<Material> materials_;
   std::map<Key, std::size_t> by_key_;

@@ -14,7 +14,7 @@
 #include "converters/obj/obj_materials.h"
 #include "converters/obj/obj_text.h"
 #include "converters/obj/obj_writer.h"
-#include "converters/scene_parts.h"
+#include "converters/scene_building.h"
 #include "converters/smoothing_groups.h"
 #include "converters/text_encoding.h"
 #include "converters/wording.h"
@@ -79,7 +79,7 @@ std::optional<grf::Scene> ObjReader::run(ObjText text) {
     return std::nullopt;
   }
   if (!text_.smoothing.empty()) smooth();
-  vertex_of_corner_.assign(text_.corners.size(), ObjCorner::None);
+  vertex_of_corner_.assign(text_.corners.size(), ObjCorner::InvalidIndex);
   FaceRuns::Cursor meshes(text_.mesh_of_face);
   FaceRuns::Cursor materials(text_.material_of_face);
   FaceRuns::Cursor groups(text_.smoothing);
@@ -125,7 +125,7 @@ void ObjReader::read_faces(std::size_t first, std::size_t end, std::uint32_t ind
 }
 
 void ObjReader::add_mesh(MeshBuilder& builder) {
-  for (const std::uint32_t corner : corners_with_vertex_) vertex_of_corner_[corner] = ObjCorner::None;
+  for (const std::uint32_t corner : corners_with_vertex_) vertex_of_corner_[corner] = ObjCorner::InvalidIndex;
   corners_with_vertex_.clear();
   grf::Block block;
   block.content = grf::Shared<grf::Mesh>(builder.take());
@@ -139,7 +139,7 @@ std::uint32_t ObjReader::vertex(std::uint32_t corner, const UvTransform& uv, std
   const ObjCorner& indices = text_.corners[corner];
   if (group != 0 || !uv.is_identity()) return builder.vertex(corner_of(indices, uv, group));
   std::uint32_t& known = vertex_of_corner_[corner];
-  if (known == ObjCorner::None) {
+  if (known == ObjCorner::InvalidIndex) {
     known = builder.vertex(corner_of(indices, uv, group));
     corners_with_vertex_.push_back(corner);
   }
@@ -150,11 +150,11 @@ Corner ObjReader::corner_of(const ObjCorner& indices, const UvTransform& uv, std
   Corner corner;
   corner.position = text_.positions[indices.vertex];
   if (text_.colours.has(indices.vertex)) corner.colour = text_.colours[indices.vertex];
-  if (indices.texture_coordinate != ObjCorner::None) {
+  if (indices.texture_coordinate != ObjCorner::InvalidIndex) {
     const grf::Vec2f& written = text_.texture_coordinates[indices.texture_coordinate];
     corner.uv = uv.is_identity() ? written : uv.apply(written);
   }
-  if (indices.normal != ObjCorner::None) {
+  if (indices.normal != ObjCorner::InvalidIndex) {
     corner.normal = text_.normals[indices.normal];
   } else if (group != 0) {
     corner.normal = smoothing_groups_.normal(group, indices.vertex);
@@ -170,7 +170,7 @@ ObjSurface ObjReader::surface_of(std::uint32_t material, std::size_t faces) {
 }
 
 void ObjReader::report() {
-  losses_.add(Loss::ShortFace, text_.short_faces);
+  losses_.add(Loss::DegenerateFace, text_.degenerate_faces);
   losses_.add(Loss::Line, text_.lines);
   losses_.add(Loss::Point, text_.points);
   losses_.add(Loss::LooseVertex, text_.loose_vertices);

@@ -19,11 +19,11 @@ std::optional<WrittenCorner> parse_corner(std::string_view word);
 
 /// A corner with resolved indices, from 0; texture coordinates and normal may be missing.
 struct ObjCorner {
-  static constexpr std::uint32_t None = 0xFFFFFFFF;
+  static constexpr std::uint32_t InvalidIndex = 0xFFFFFFFF;
 
-  std::uint32_t vertex = None;
-  std::uint32_t texture_coordinate = None;
-  std::uint32_t normal = None;
+  std::uint32_t vertex = InvalidIndex;
+  std::uint32_t texture_coordinate = InvalidIndex;
+  std::uint32_t normal = InvalidIndex;
 
   bool operator==(const ObjCorner&) const = default;
 };

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "converters/index_table.h"
-#include "converters/obj/obj_cut.h"
+#include "converters/obj/obj_truncation.h"
 
 namespace convert {
 namespace {
@@ -69,7 +69,7 @@ class ObjParser {
   std::size_t errors_before_;
   bool may_be_cut_;
   ObjText text_;
-  CutDetector cut_detector_;
+  TruncationDetector truncation_detector_;
   Elements vertices_{"vertex", 0, 0, {}, {}};
   Elements texture_coordinates_{"texture coordinate", 0, 0, {}, {}};
   Elements normals_{"normal", 0, 0, {}, {}};
@@ -118,7 +118,7 @@ void ObjParser::read(const Statement& statement) {
     read_other(statement);
   }
   // The statistics are only needed to detect truncation.
-  if (may_be_cut_) cut_detector_.add(statement);
+  if (may_be_cut_) truncation_detector_.add(statement);
 }
 
 void ObjParser::read_other(const Statement& statement) {
@@ -141,7 +141,7 @@ void ObjParser::read_other(const Statement& statement) {
 }
 
 void ObjParser::read_cut(const Statement& statement) {
-  const std::string why = cut_detector_.why_cut(statement);
+  const std::string why = truncation_detector_.evidence_of_truncation(statement);
   if (why.empty()) {
     read(statement);
   } else {
@@ -241,7 +241,7 @@ void ObjParser::read_face(const Statement& statement) {
     fail(statement.keyword, "a face without corners, expected three or more");
   } else if (read_corners(statement)) {
     if (statement.arguments.size() < 3) {
-      ++text_.short_faces;
+      ++text_.degenerate_faces;
     } else if (!add_face()) {
       fail(statement.keyword, "there are too many corners");
     }
@@ -301,7 +301,7 @@ bool ObjParser::resolve(std::string_view word, long long written, Elements& elem
     elements.highest_index = written;
   }
   const long long from_zero = written < 0 ? elements.count + written : written - 1;
-  index = static_cast<std::uint32_t>(std::min<long long>(from_zero, ObjCorner::None - 1));
+  index = static_cast<std::uint32_t>(std::min<long long>(from_zero, ObjCorner::InvalidIndex - 1));
   return true;
 }
 
@@ -319,7 +319,7 @@ bool ObjParser::add_face() {
   mesh_has_faces_ = true;
   text_.mesh_of_face.add(index, static_cast<std::uint32_t>(text_.meshes.size() - 1));
   text_.material_of_face.add(index, material_);
-  const bool has_normals = text_.corners[face_.front()].normal != ObjCorner::None;
+  const bool has_normals = text_.corners[face_.front()].normal != ObjCorner::InvalidIndex;
   text_.smoothing.add(index, has_normals ? 0 : group_);
   text_.face_corners.insert(text_.face_corners.end(), face_.begin(), face_.end());
   text_.face_offsets.push_back(static_cast<std::uint32_t>(text_.face_corners.size()));

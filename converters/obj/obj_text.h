@@ -87,7 +87,7 @@ struct ObjText {
   // Counts of skipped elements.
   std::size_t lines = 0;
   std::size_t points = 0;
-  std::size_t short_faces = 0;  ///< faces of one or two corners
+  std::size_t degenerate_faces = 0;  ///< faces of one or two corners
   std::size_t loose_vertices = 0;
   std::size_t deep_texture_coordinates = 0;   ///< texture coordinates with a third number that is not 0
   std::map<std::string, std::size_t> unread;  ///< number of skipped statements, by keyword

@@ -28,7 +28,7 @@
 namespace convert {
 namespace {
 
-constexpr std::uint32_t None = 0xFFFFFFFF;
+constexpr std::uint32_t InvalidIndex = 0xFFFFFFFF;
 
 template <std::size_t N>
 using Numbers = std::array<float, N>;
@@ -155,7 +155,7 @@ class ObjWriter {
   std::vector<std::uint32_t> position_of_vertex_;
   std::vector<std::uint32_t> uv_of_vertex_;
   std::vector<std::uint32_t> normal_of_vertex_;
-  std::uint32_t zero_uv_ = None;
+  std::uint32_t zero_uv_ = InvalidIndex;
 };
 
 void ObjWriter::write_mesh(const WorldMesh& mesh, Output& output) {
@@ -189,8 +189,8 @@ void ObjWriter::write_vertices(const WorldMesh& placed, Output& output) {
   uvs_.begin_mesh();
   normals_.begin_mesh();
   position_of_vertex_.resize(count);
-  uv_of_vertex_.assign(count, None);
-  normal_of_vertex_.assign(count, None);
+  uv_of_vertex_.assign(count, InvalidIndex);
+  normal_of_vertex_.assign(count, InvalidIndex);
   for (std::size_t i = 0; i < count; ++i) {
     position_of_vertex_[i] = positions_.index_of(position_and_colour(placed, i));
     if (mesh.geometry->uvs.has(i))
@@ -198,7 +198,7 @@ void ObjWriter::write_vertices(const WorldMesh& placed, Output& output) {
     if (mesh.geometry->normals.has(i)) normal_of_vertex_[i] = normals_.index_of(numbers_of(placed.normal(i)));
   }
   const bool some_lack_uvs =
-      !mesh.geometry->uvs.empty() && std::count(uv_of_vertex_.begin(), uv_of_vertex_.end(), None) > 0;
+      !mesh.geometry->uvs.empty() && std::count(uv_of_vertex_.begin(), uv_of_vertex_.end(), InvalidIndex) > 0;
   if (some_lack_uvs) zero_uv_ = uvs_.index_of({0, 0});
   for (const Numbers<6>& v : positions_.elements()) output.line("v", v, has_colours_ ? 6 : 3);
   for (const Numbers<2>& vt : uvs_.elements()) output.line("vt", vt);
@@ -220,8 +220,8 @@ Numbers<6> ObjWriter::position_and_colour(const WorldMesh& placed, std::size_t v
 // A missing texture coordinate is (0, 0).
 void ObjWriter::write_face(const WorldMesh& placed, std::size_t index, Output& output) {
   const std::span<const std::uint32_t> face = placed.face(index);
-  const auto has_normal = [this](std::uint32_t vertex) { return normal_of_vertex_[vertex] != None; };
-  const auto has_uv = [this](std::uint32_t vertex) { return uv_of_vertex_[vertex] != None; };
+  const auto has_normal = [this](std::uint32_t vertex) { return normal_of_vertex_[vertex] != InvalidIndex; };
+  const auto has_uv = [this](std::uint32_t vertex) { return uv_of_vertex_[vertex] != InvalidIndex; };
   const bool has_normals = std::all_of(face.begin(), face.end(), has_normal);
   const bool has_uvs = std::any_of(face.begin(), face.end(), has_uv);
   if (!has_normals && std::any_of(face.begin(), face.end(), has_normal)) losses_.add(Loss::FlatNormal);

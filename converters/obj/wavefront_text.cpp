@@ -92,7 +92,7 @@ bool StatementReader::next(Statement& statement) {
     if (statement.keyword.empty()) continue;
     statement.arguments.clear();
     if (statement.keyword.front() == '#') {
-      if (comments_ == LineComments::PassedOver) continue;
+      if (comments_ == LineComments::Skipped) continue;
       const char* begin = statement.keyword.data() + 1;
       statement.rest = trimmed({begin, static_cast<std::size_t>(line.data() + line.size() - begin)});
       statement.keyword = statement.keyword.substr(0, 1);

@@ -25,7 +25,7 @@ struct Statement {
 
 /// The treatment of lines that begin with `#`.
 enum class LineComments {
-  PassedOver,
+  Skipped,
   Statements,  ///< statements of the keyword `#` without arguments
 };
 
@@ -34,7 +34,7 @@ enum class LineComments {
 class StatementReader {
  public:
   StatementReader(std::shared_ptr<const std::string> text, std::shared_ptr<const grf::SourceFile> file,
-                  LineComments comments = LineComments::PassedOver);
+                  LineComments comments = LineComments::Skipped);
 
   /// Reads the next statement, or returns false at the end of the text.
   bool next(Statement& statement);

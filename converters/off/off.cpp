@@ -10,7 +10,7 @@
 #include "converters/losses.h"
 #include "converters/mesh_builder.h"
 #include "converters/obj/wavefront_text.h"
-#include "converters/scene_parts.h"
+#include "converters/scene_building.h"
 #include "converters/text_encoding.h"
 #include "converters/wording.h"
 
@@ -240,7 +240,7 @@ bool OffReader::read_face() {
   if (*count > 2) {
     faces_.push_back(std::move(face));
   } else {
-    losses_.add(*count == 0 ? Loss::ShortFace : *count == 1 ? Loss::Point : Loss::Line);
+    losses_.add(*count == 0 ? Loss::DegenerateFace : *count == 1 ? Loss::Point : Loss::Line);
   }
   return true;
 }

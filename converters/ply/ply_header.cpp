@@ -90,7 +90,7 @@ class HeaderReader {
   void read_format();
   void read_element();
   void read_property();
-  void pass_over();
+  void skip_line();
   void check_names(const PlyElement& element);
   void check_room();
 
@@ -158,7 +158,7 @@ void HeaderReader::read_line() {
   if (keyword == "comment") {
     header_.comments.push_back(to_utf8(rest_behind(line_, keyword)));
   } else {
-    pass_over();
+    skip_line();
   }
 }
 
@@ -228,7 +228,7 @@ void HeaderReader::read_property() {
 
 // Lines without a keyword are skipped, since exporters write comments that way. A misspelt keyword is an
 // error, since it would shift all values after it.
-void HeaderReader::pass_over() {
+void HeaderReader::skip_line() {
   if (words_.empty() || words_.front() == "obj_info") return;
   const std::string suggestion = grf::did_you_mean(
       words_.front(), {"comment", "element", "end_header", "format", "obj_info", "property"});

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "converters/scene_parts.h"
+#include "converters/scene_building.h"
 #include "converters/text_encoding.h"
 #include "converters/wording.h"
 #include "grf/keywords.h"
@@ -100,7 +100,7 @@ bool PlyMesh::has_room_for(std::size_t corners) const {
 }
 
 void PlyMesh::add_face(std::span<const std::uint32_t> corners, const PlyFace& face) {
-  if (corners.size() < 3) return losses_.add(Loss::ShortFace);
+  if (corners.size() < 3) return losses_.add(Loss::DegenerateFace);
   const std::uint32_t surface = surface_of(face);
   if (face.uvs.empty()) return mesh_.add_face(corners, surface);
   has_uvs_ = true;

@@ -65,32 +65,32 @@ constexpr std::array<MaterialRule, 13> Rules = {{
 /// Reads one material of a Material node, and records its original values.
 class MaterialReader {
  public:
-  MaterialReader(const Look& look, Report& report)
-      : look_(look), reader_(*look.material, report.diagnostics()) {
+  MaterialReader(const SurfaceInputs& inputs, Report& report)
+      : inputs_(inputs), reader_(*inputs.material, report.diagnostics()) {
     material_.source = "VRML";
-    material_.location = look.material->source->lasting_location(look.material->offset);
+    material_.location = inputs.material->source->lasting_location(inputs.material->offset);
   }
 
   PhongMaterial run(std::size_t count) {
-    const Node& node = *look_.material;
-    const std::string_view own_name = node.name.empty() ? look_.name : node.name;
+    const Node& node = *inputs_.material;
+    const std::string_view own_name = node.name.empty() ? inputs_.name : node.name;
     material_.name = own_name.empty() ? "material" : own_name;
-    if (count > 1) material_.name += fmt::format("_{}", look_.index);
+    if (count > 1) material_.name += fmt::format("_{}", inputs_.index);
     const Vec3d diffuse = colour("diffuseColor", Vec3d(0.8));
     // The lighting model of VRML97 (ISO/IEC 14772-1, 4.14.2): an image, or a colour of vertices or faces,
     // replaces the diffuse reflectance. In VRML 1.0, images multiply it, as in Open Inventor.
-    const bool image_replaces = look_.texture && node.source->version() == Version::Vrml97;
-    material_.diffuse = look_.has_colours || image_replaces ? Vec3d(1) : diffuse;
+    const bool image_replaces = inputs_.texture && node.source->version() == Version::Vrml97;
+    material_.diffuse = inputs_.has_colours || image_replaces ? Vec3d(1) : diffuse;
     material_.specular = colour("specularColor", Vec3d(0));
     material_.emission = colour("emissiveColor", Vec3d(0));
     // The lighting equations (4.14.4) have the Blinn-Phong exponent 128 shininess; that of `lewis` is a Phong
     // exponent.
     constexpr double HalfVectorExponent = 128;
-    material_.exponent = about_mirror(number("shininess", 0.2) * HalfVectorExponent);
+    material_.exponent = to_phong_exponent(number("shininess", 0.2) * HalfVectorExponent);
     if (number("transparency", 0) > 0) material_.losses.push_back(Loss::Transparency);
     number("ambientIntensity", 0.2);
     colour("ambientColor", Vec3d(0.2));
-    if (look_.texture) material_.diffuse_map = grf::Texture{*look_.texture, material_.location};
+    if (inputs_.texture) material_.diffuse_map = grf::Texture{*inputs_.texture, material_.location};
     return std::move(material_);
   }
 
@@ -104,9 +104,9 @@ class MaterialReader {
     return values.empty() ? fallback : values[0];
   }
   std::span<const double> taken_down(std::string_view field, std::size_t size) {
-    const bool is_vrml97 = look_.material->source->version() == Version::Vrml97;
+    const bool is_vrml97 = inputs_.material->source->version() == Version::Vrml97;
     const auto values =
-        is_vrml97 ? reader_.exactly(field, size) : values_at(reader_, field, size, look_.index);
+        is_vrml97 ? reader_.exactly(field, size) : values_at(reader_, field, size, inputs_.index);
     if (!values.empty()) {
       material_.source_values.push_back(
           fmt::format("{} {}", field, fmt::join(values.begin(), values.end(), " ")));
@@ -114,7 +114,7 @@ class MaterialReader {
     return values;
   }
 
-  const Look& look_;
+  const SurfaceInputs& inputs_;
   NodeReader reader_;
   PhongMaterial material_;
 };
@@ -140,18 +140,18 @@ bool is_repeated(const Node& texture, Report& report) {
 
 }  // namespace
 
-grf::Surface Appearances::surface(const Look& look, std::size_t faces) {
-  if (look.material == nullptr) {
+grf::Surface Appearances::surface(const SurfaceInputs& inputs, std::size_t faces) {
+  if (inputs.material == nullptr) {
     grf::Surface surface;
-    if (look.texture) surface.texture = grf::Texture{*look.texture, {}};
+    if (inputs.texture) surface.texture = grf::Texture{*inputs.texture, {}};
     return surface;
   }
   const auto [known, is_new] =
-      known_.emplace(Key{look.material, look.index, look.has_colours, look.texture}, 0);
+      known_.emplace(Key{inputs.material, inputs.index, inputs.has_colours, inputs.texture}, 0);
   if (is_new) {
-    const bool is_vrml97 = look.material->source->version() == Version::Vrml97;
-    const std::size_t count = is_vrml97 ? 1 : material_count(*look.material, report_);
-    known->second = materials_.add(map_material(MaterialReader(look, report_).run(count)));
+    const bool is_vrml97 = inputs.material->source->version() == Version::Vrml97;
+    const std::size_t count = is_vrml97 ? 1 : material_count(*inputs.material, report_);
+    known->second = materials_.add(map_material(MaterialReader(inputs, report_).run(count)));
   }
   return materials_.surface(known->second, faces, report_.losses());
 }
@@ -213,7 +213,7 @@ std::optional<std::string> texture_of(const Node* texture, const std::string& fo
   if (texture == nullptr) return std::nullopt;
   const bool is_image = texture->type == "ImageTexture" || texture->type == "Texture2";
   if (!is_image) {
-    report.pass_over(*texture);
+    report.skip(*texture);
     return std::nullopt;
   }
   const NodeReader reader(*texture, report.diagnostics());

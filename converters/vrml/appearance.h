@@ -15,7 +15,7 @@
 namespace convert::vrml {
 
 /// The inputs that determine the surface of faces.
-struct Look {
+struct SurfaceInputs {
   const Node* material = nullptr;  ///< Material; null: none
   std::size_t index = 0;           ///< index of the material within a VRML 1.0 Material
   std::string_view name;           ///< name for a material without one
@@ -30,7 +30,7 @@ class Appearances {
   Appearances(DefinitionNames& names, Report& report) : materials_(names), report_(report) {}
 
   /// Returns the surface for a number of faces, and counts their losses.
-  grf::Surface surface(const Look& look, std::size_t faces);
+  grf::Surface surface(const SurfaceInputs& inputs, std::size_t faces);
 
   const Materials& materials() const { return materials_; }
 

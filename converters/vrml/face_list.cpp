@@ -27,7 +27,7 @@ std::optional<FaceList> FaceList::read(const NodeReader& node, std::size_t posit
       return std::nullopt;
     }
     if (end - begin < 3) {
-      ++list.short_faces_;
+      ++list.degenerate_faces_;
     } else {
       const auto face = static_cast<std::uint32_t>(list.face_ends_.size());
       for (std::size_t i = begin; i < end; ++i) {

@@ -33,7 +33,7 @@ class FaceList {
 
   const std::vector<std::uint32_t>& corners() const { return corners_; }
   const std::vector<std::size_t>& face_ends() const { return face_ends_; }
-  std::size_t short_faces() const { return short_faces_; }
+  std::size_t degenerate_faces() const { return degenerate_faces_; }
 
   /// Returns the index of the bound value per corner or per face; `index_field` is the list of indices.
   /// Returns nothing after an error: a list that is too short, or an index not below `value_count`.
@@ -59,7 +59,7 @@ class FaceList {
   std::vector<std::size_t> places_;  // index of each corner in coordIndex
   std::vector<std::uint32_t> face_of_corner_;
   std::vector<std::size_t> face_numbers_;  // index of each face in the file, counting skipped ones
-  std::size_t short_faces_ = 0;
+  std::size_t degenerate_faces_ = 0;
 };
 
 /// Returns the list of indices of a field; the default of VRML 1.0, only -1, counts as empty.

@@ -116,7 +116,7 @@ bool is_standard_type(std::string_view type, Version version) {
   return std::binary_search(types.begin(), types.end(), type);
 }
 
-std::string_view why_passed_over(std::string_view type, Version version) {
+std::string_view reason_for_skipping(std::string_view type, Version version) {
   if (type == "Script" || type.ends_with("Sensor") || type.ends_with("Interpolator")) {
     return "GRF scenes are static";
   }

@@ -11,7 +11,7 @@ namespace convert::vrml {
 bool is_standard_type(std::string_view type, Version version);
 
 /// Returns the reason why a node of this type is skipped in a search for shapes.
-std::string_view why_passed_over(std::string_view type, Version version);
+std::string_view reason_for_skipping(std::string_view type, Version version);
 
 // These return whether a node is a light, or a viewpoint.
 bool is_light(std::string_view type);

@@ -13,11 +13,11 @@ constexpr std::size_t MostGeneratedFaces = 5'000'000;
 
 }  // namespace
 
-void Report::pass_over(const Node& node) {
+void Report::skip(const Node& node) {
   if (is_light(node.type)) return losses_.add(Loss::LightSource);
   if (is_camera(node.type)) return losses_.add(Loss::Camera);
   add(fmt::format("{} node was skipped", node.type), fmt::format("{} nodes were skipped", node.type),
-      why_passed_over(node.type, node.source->version()));
+      reason_for_skipping(node.type, node.source->version()));
 }
 
 void Report::add(std::string_view one, std::string_view many, std::string_view why, std::size_t count) {
@@ -37,7 +37,7 @@ const Node* Report::node_of(const Node& node, std::string_view field, std::strin
     reader.error_at(
         field, fmt::format("found the node {} in the field '{}', expected {}", found->type, field, type));
   } else {
-    pass_over(*found);
+    skip(*found);
   }
   return nullptr;
 }

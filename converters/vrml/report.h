@@ -22,7 +22,7 @@ class Report {
   bool failed() const { return diagnostics_.error_count() > errors_before_; }
 
   /// Counts a skipped node that makes no faces.
-  void pass_over(const Node& node);
+  void skip(const Node& node);
 
   /// Adds a loss that is no `Loss`, with its reason: "`count` `one`: `why`" or "`count` `many`: `why`".
   void add(std::string_view one, std::string_view many, std::string_view why, std::size_t count = 1);

@@ -65,7 +65,7 @@ Blocks Vrml1Reader::read(const Node& node, Place place) {
   }
   if (is_shape1(node.type)) return read_shape(node, place);
   if (auto blocks = read_group(node, place)) return std::move(*blocks);
-  report_.pass_over(node);
+  report_.skip(node);
   return {};
 }
 

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "converters/vrml/face_list.h"
-#include "converters/vrml/geometry_parts.h"
+#include "converters/vrml/geometry_readers.h"
 #include "converters/vrml/primitives.h"
 
 namespace convert::vrml {
@@ -66,11 +66,11 @@ class ShapeReader {
         state_(state),
         world_(world),
         report_(world.report()) {
-    look_.material = state.material;
-    look_.texture = texture_of(state.texture, document.folder, world.path(), report_);
+    inputs_.material = state.material;
+    inputs_.texture = texture_of(state.texture, document.folder, world.path(), report_);
   }
 
-  std::optional<ShapeParts> run() {
+  std::optional<ShapeFaces> run() {
     if (shape_.type == "IndexedFaceSet") {
       read_faces();
     } else {
@@ -88,7 +88,7 @@ class ShapeReader {
   void read_solid() {
     parts_.polygons = vrml1_solid_of(shape_, report_);
     if (!report_.count_generated(shape_, parts_.polygons.face_count())) return;
-    if (!look_.texture) parts_.polygons.uvs.clear();
+    if (!inputs_.texture) parts_.polygons.uvs.clear();
     std::vector<std::uint32_t> materials = std::move(parts_.polygons.face_materials);
     parts_.polygons.face_materials.clear();
     const auto binding = binding_of(state_.material_binding, report_).binding;
@@ -102,7 +102,7 @@ class ShapeReader {
   void read_texture_coordinates(const FaceList& faces);
   void read_materials(const FaceList& faces);
   void look_the_same() {
-    parts_.surfaces = {world_.appearances().surface(look_, parts_.polygons.face_count())};
+    parts_.surfaces = {world_.appearances().surface(inputs_, parts_.polygons.face_count())};
   }
   void look_by_faces(std::vector<std::uint32_t> materials);
   void look_by_corners(std::vector<std::uint32_t> materials);
@@ -112,8 +112,8 @@ class ShapeReader {
   const Vrml1State& state_;
   World& world_;
   Report& report_;
-  Look look_;
-  ShapeParts parts_ = {};
+  SurfaceInputs inputs_;
+  ShapeFaces parts_ = {};
 };
 
 void ShapeReader::read_faces() {
@@ -126,7 +126,7 @@ void ShapeReader::read_faces() {
   if (!faces) return;
   polygons.corners = faces->corners();
   polygons.face_ends = faces->face_ends();
-  report_.losses().add(Loss::ShortFace, faces->short_faces());
+  report_.losses().add(Loss::DegenerateFace, faces->degenerate_faces());
   read_normals(*faces);
   read_texture_coordinates(*faces);
   read_materials(*faces);
@@ -171,7 +171,7 @@ void ShapeReader::read_texture_coordinates(const FaceList& faces) {
       return;
     }
   }
-  if (look_.texture) add_default_uvs(parts_.polygons);
+  if (inputs_.texture) add_default_uvs(parts_.polygons);
 }
 
 void ShapeReader::read_materials(const FaceList& faces) {
@@ -191,16 +191,16 @@ void ShapeReader::look_by_faces(std::vector<std::uint32_t> materials) {
   for (std::uint32_t& material : materials) material %= static_cast<std::uint32_t>(count);
   if (count > 1 && differs_in_diffuse_colour_alone(*state_.material, report_)) {
     parts_.polygons.face_colours = picked(diffuse_colours(*state_.material, report_), materials);
-    look_.has_colours = true;
+    inputs_.has_colours = true;
     return look_the_same();
   }
   std::map<std::uint32_t, std::size_t> faces_of;
   for (const std::uint32_t material : materials) ++faces_of[material];
   std::map<std::uint32_t, std::uint32_t> surface_of;
   for (const auto& [material, faces] : faces_of) {
-    look_.index = material;
+    inputs_.index = material;
     surface_of[material] = static_cast<std::uint32_t>(parts_.surfaces.size());
-    parts_.surfaces.push_back(world_.appearances().surface(look_, faces));
+    parts_.surfaces.push_back(world_.appearances().surface(inputs_, faces));
   }
   for (std::uint32_t& material : materials) material = surface_of[material];
   parts_.polygons.face_materials = std::move(materials);
@@ -216,7 +216,7 @@ void ShapeReader::look_by_corners(std::vector<std::uint32_t> materials) {
     report_.add("face has one material", "faces have one material",
                 "only the diffuse colours of those of their corners are kept", parts_.polygons.face_count());
   }
-  look_.has_colours = true;
+  inputs_.has_colours = true;
   look_the_same();
 }
 
@@ -237,7 +237,7 @@ std::vector<const Node*> parts_of_shape1(const Node& shape, const Vrml1State& st
   return parts;
 }
 
-std::optional<ShapeParts> read_shape1(const Node& shape, const Vrml1State& state,
+std::optional<ShapeFaces> read_shape1(const Node& shape, const Vrml1State& state,
                                       const OpenDocument& document, World& world) {
   return ShapeReader(shape, state, document, world).run();
 }

@@ -29,7 +29,7 @@ bool is_shape1(std::string_view type);
 std::vector<const Node*> parts_of_shape1(const Node& shape, const Vrml1State& state);
 
 /// Reads the faces of a shape and their surfaces; returns nothing after an error.
-std::optional<ShapeParts> read_shape1(const Node& shape, const Vrml1State& state,
+std::optional<ShapeFaces> read_shape1(const Node& shape, const Vrml1State& state,
                                       const OpenDocument& document, World& world);
 
 }  // namespace convert::vrml

@@ -25,7 +25,7 @@ class Vrml97Reader {
   Blocks read_switch(const Node& node, const Place& place);
   Blocks read_first_level(const Node& node, const Place& place);
   Blocks read_shape(const Node& node, const Place& place);
-  std::optional<ShapeParts> shape_parts(const Node& geometry, const Node* appearance);
+  std::optional<ShapeFaces> shape_parts(const Node& geometry, const Node* appearance);
 
   World& world_;
   Report& report_;
@@ -56,7 +56,7 @@ Blocks Vrml97Reader::read(const Node& node, Place place) {
   }
   // The proxy of a Collision is invisible.
   if (node.type == "Collision") return read_children(node, place);
-  report_.pass_over(node);
+  report_.skip(node);
   return {};
 }
 
@@ -81,7 +81,7 @@ Blocks Vrml97Reader::read_shape(const Node& node, const Place& place) {
   const Node* geometry = reader(node).node("geometry");
   if (geometry == nullptr) return {};
   if (!has_faces97(geometry->type)) {
-    report_.pass_over(*geometry);
+    report_.skip(*geometry);
     return {};
   }
   const Node* appearance = report_.node_of(node, "appearance", "Appearance");
@@ -90,32 +90,33 @@ Blocks Vrml97Reader::read_shape(const Node& node, const Place& place) {
                      [&] { return shape_parts(*geometry, appearance); });
 }
 
-std::optional<ShapeParts> Vrml97Reader::shape_parts(const Node& geometry, const Node* appearance) {
-  Look look;
+std::optional<ShapeFaces> Vrml97Reader::shape_parts(const Node& geometry, const Node* appearance) {
+  SurfaceInputs inputs;
   const Node* texture_transform = nullptr;
   if (appearance != nullptr) {
-    look.name = appearance->name;
-    look.material = report_.node_of(*appearance, "material", "Material");
-    look.texture = texture_of(reader(*appearance).node("texture"), document_.folder, world_.path(), report_);
+    inputs.name = appearance->name;
+    inputs.material = report_.node_of(*appearance, "material", "Material");
+    inputs.texture =
+        texture_of(reader(*appearance).node("texture"), document_.folder, world_.path(), report_);
     texture_transform = report_.node_of(*appearance, "textureTransform", "TextureTransform");
   }
-  auto polygons = polygons_of97(geometry, look.texture.has_value(), report_);
+  auto polygons = polygons_of97(geometry, inputs.texture.has_value(), report_);
   if (!polygons) return std::nullopt;
   if (texture_transform != nullptr) transform_uvs(polygons->uvs, *texture_transform, report_);
-  look.has_colours = !polygons->colours.empty() || !polygons->face_colours.empty();
-  if (look.texture && look.has_colours) {
+  inputs.has_colours = !polygons->colours.empty() || !polygons->face_colours.empty();
+  if (inputs.texture && inputs.has_colours) {
     report_.add("face lost its colours", "faces lost their colours", "its texture replaces them",
                 polygons->face_count());
     polygons->colours.clear();
     polygons->face_colours.clear();
-    look.has_colours = false;
+    inputs.has_colours = false;
   }
-  const grf::Surface surface = world_.appearances().surface(look, polygons->face_count());
+  const grf::Surface surface = world_.appearances().surface(inputs, polygons->face_count());
   if (surface.emission && !reader(geometry).flag("solid", true)) {
     report_.add("face emits only from its front", "faces emit only from their fronts",
                 "emission in GRF is one-sided", polygons->face_count());
   }
-  return ShapeParts{std::move(*polygons), {surface}};
+  return ShapeFaces{std::move(*polygons), {surface}};
 }
 
 }  // namespace

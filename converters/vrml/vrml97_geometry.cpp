@@ -26,7 +26,7 @@ class FaceSetReader {
     if (!faces) return std::nullopt;
     polygons_.corners = faces->corners();
     polygons_.face_ends = faces->face_ends();
-    report_.losses().add(Loss::ShortFace, faces->short_faces());
+    report_.losses().add(Loss::DegenerateFace, faces->degenerate_faces());
     read_normals(*faces);
     read_face_colours(*faces);
     read_texture_coordinates(*faces);

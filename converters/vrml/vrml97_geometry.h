@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "converters/vrml/geometry_parts.h"
+#include "converters/vrml/geometry_readers.h"
 #include "converters/vrml/polygons.h"
 #include "converters/vrml/report.h"
 

@@ -124,7 +124,7 @@ bool World::enter(const Node& node, const Place& place) {
 
 std::vector<grf::Block> World::mesh(const std::vector<const Node*>& made_of, const Node& shape,
                                     std::string_view name,
-                                    const std::function<std::optional<ShapeParts>()>& build) {
+                                    const std::function<std::optional<ShapeFaces>()>& build) {
   const auto [known, is_new] = meshes_.try_emplace(made_of);
   SharedMesh& shared = known->second;
   if (is_new) {

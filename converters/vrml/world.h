@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "converters/scene_parts.h"
+#include "converters/scene_building.h"
 #include "converters/vrml/appearance.h"
 #include "converters/vrml/node.h"
 #include "converters/vrml/polygons.h"
@@ -52,7 +52,7 @@ Blocks read_each(Reader& reader, std::span<const Node* const> nodes, const Place
 }
 
 /// The faces of a shape and their surfaces, from which a mesh is made.
-struct ShapeParts {
+struct ShapeFaces {
   Polygons polygons;
   std::vector<grf::Surface> surfaces;
 };
@@ -77,7 +77,7 @@ class World {
   /// faces, or after an error.
   std::vector<grf::Block> mesh(const std::vector<const Node*>& made_of, const Node& shape,
                                std::string_view name,
-                               const std::function<std::optional<ShapeParts>()>& build);
+                               const std::function<std::optional<ShapeFaces>()>& build);
 
   /// Puts blocks under a transform; drops them if it is singular.
   std::vector<grf::Block> under(const grf::Matrix44d& to_parent, std::vector<grf::Block> blocks,

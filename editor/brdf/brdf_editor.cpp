@@ -11,8 +11,8 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
-#include "editor/controls/parts.h"
 #include "editor/controls/scaled_slider.h"
 #include "editor/controls/tab_order.h"
 #include "editor/document/brdf_mime.h"
@@ -23,9 +23,9 @@ namespace {
 constexpr int UnfoldedWidth = 110 * Grid;
 
 /// The hint of views that cannot show an invalid BRDF.
-QString hint_of(const std::vector<QString>& mistakes) {
-  if (mistakes.empty()) return {};
-  return "Cannot show this BRDF:\n" + QStringList(mistakes.begin(), mistakes.end()).join('\n');
+QString hint_of(const std::vector<QString>& errors) {
+  if (errors.empty()) return {};
+  return "Cannot show this BRDF:\n" + QStringList(errors.begin(), errors.end()).join('\n');
 }
 
 /// A slider and a number box for one parameter of a view.
@@ -217,13 +217,13 @@ void BrdfEditor::show_brdf() {
     library_->set_current(std::nullopt);
     return show(nullptr, "Select faces to see their BRDF.");
   }
-  const auto show_made = [show](const MadeBrdf& made) { show(made.brdf, hint_of(made.mistakes)); };
+  const auto show_made = [show](const CompiledBrdf& made) { show(made.brdf, hint_of(made.errors)); };
   const grf::BrdfModel& model = models().front();
   library_->set_current(model);
-  if (!form_->mistakes().empty()) return show(nullptr, hint_of(form_->mistakes()));
-  if (!reads_data(model, definitions_)) return show_made(made_brdf(model, definitions_));
+  if (!form_->errors().empty()) return show(nullptr, hint_of(form_->errors()));
+  if (!reads_data(model, definitions_)) return show_made(compile_brdf(model, definitions_));
   making_.start(
-      [model, definitions = definitions_](const StopFlag&) { return made_brdf(model, definitions); },
+      [model, definitions = definitions_](const StopFlag&) { return compile_brdf(model, definitions); },
       show_made);
 }
 
@@ -231,7 +231,7 @@ void BrdfEditor::replace(const grf::BrdfModel& brdf) {
   if (models().empty()) return;
   const std::vector<grf::BrdfModel> replaced(models().size(), brdf);
   set_models(replaced);
-  if (form_->mistakes().empty()) emit edited(replaced);
+  if (form_->errors().empty()) emit edited(replaced);
 }
 
 void BrdfEditor::dragEnterEvent(QDragEnterEvent* event) {
@@ -239,8 +239,8 @@ void BrdfEditor::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void BrdfEditor::dropEvent(QDropEvent* event) {
-  grf::Diagnostics unheard;
-  const auto brdf = brdf_of(*event->mimeData(), reflectance::brdf_infos(), unheard);
+  grf::Diagnostics ignored_diagnostics;
+  const auto brdf = brdf_of(*event->mimeData(), reflectance::brdf_infos(), ignored_diagnostics);
   if (!brdf) return;
   event->acceptProposedAction();
   replace(*brdf);

@@ -78,7 +78,7 @@ class BrdfEditor : public QWidget {
   QWidget* bar_ = nullptr;
   QButtonGroup* buttons_ = nullptr;
   std::array<QWidget*, 4> views_ = {};
-  BackgroundJob<MadeBrdf> making_{this};
+  BackgroundJob<CompiledBrdf> making_{this};
 };
 
 }  // namespace editor

@@ -12,7 +12,7 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/brdf/picture_tiles.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/text.h"
 #include "editor/document/brdf_mime.h"
 #include "grf/read.h"
@@ -59,11 +59,11 @@ QString picture_key(const LibraryEntry& entry) { return QString::fromStdString(g
 QImage picture_of(const grf::BrdfModel& model, const Definitions& definitions, double ratio,
                   const StopFlag& stop) {
   SphereScene scene;
-  scene.brdf = made_brdf(model, definitions).brdf;
+  scene.brdf = compile_brdf(model, definitions).brdf;
   scene.side = static_cast<int>((TileSide - 2 * TileMargin) * ratio);
   scene.light.normalize();
   if (!scene.brdf) return {};
-  const SphereImage image = shade_by_cpp(scene, PictureSamples, stop);
+  const SphereImage image = shade_on_cpu(scene, PictureSamples, stop);
   if (image.side == 0) return {};
   QImage picture(QSize(TileSide, TileSide) * ratio, QImage::Format_ARGB32_Premultiplied);
   picture.setDevicePixelRatio(ratio);

@@ -8,8 +8,8 @@
 #include <deque>
 #include <optional>
 
+#include "editor/brdf/compiled_brdf.h"
 #include "editor/brdf/library_folder.h"
-#include "editor/brdf/made_brdf.h"
 #include "editor/brdf/sphere_shading.h"
 
 class QComboBox;

@@ -18,7 +18,7 @@
 #include "editor/appearance/theme.h"
 #include "editor/charts/chart_painter.h"
 #include "editor/controls/expression.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/text.h"
 #include "grf/keywords.h"
 
@@ -242,7 +242,7 @@ void BrdfPlots::draw() {
   words_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   if (is_albedo) {
     editor::draw(*plot_, plot::albedo_chart(albedo_));
-    const EnergyWords words = energy_words(*brdf_, albedo_.largest);
+    const EnergyNote words = energy_note(*brdf_, albedo_.largest);
     show_words(words.text, words.is_warning);
   } else {
     draw_lobes();
@@ -255,17 +255,18 @@ void BrdfPlots::draw_lobes() {
     editor::draw(*plot_, polar_lobe_chart(curves_.curves, style()));
   } else {
     plot::Chart chart = lobe_chart(curves_.curves, style());
-    add_mirror_lines(chart, curves_.curves, style().channel);
+    add_specular_lines(chart, curves_.curves, style().channel);
     editor::draw(*plot_, chart);
   }
-  const bool has_mirror = std::ranges::any_of(
-      curves_.curves, [](const plot::LobeCurve& curve) { return !reflectance::is_black(curve.mirror); });
+  const bool has_specular_part = std::ranges::any_of(curves_.curves, [](const plot::LobeCurve& curve) {
+    return !reflectance::is_black(curve.specular_weight);
+  });
   QStringList words;
-  if (!curves_.scheme_mistake.isEmpty()) words << "No pdf: " + curves_.scheme_mistake + ".";
-  if (has_mirror)
+  if (!curves_.scheme_error.isEmpty()) words << "No pdf: " + curves_.scheme_error + ".";
+  if (has_specular_part)
     words
         << "Straight lines: the specular (delta) part; its length is the fraction of light that it reflects.";
-  show_words(words.join('\n'), !curves_.scheme_mistake.isEmpty());
+  show_words(words.join('\n'), !curves_.scheme_error.isEmpty());
 }
 
 void BrdfPlots::show_words(const QString& text, bool is_warning) {

@@ -6,7 +6,7 @@
 #include <QLineEdit>
 #include <QToolButton>
 
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 
 namespace editor {
 

@@ -51,7 +51,7 @@ QString LibraryFolder::add(const QString& name, const grf::BrdfModel& brdf) cons
   if (!brdf.terms.empty()) return "Cannot save a sum of BRDFs: it needs the definitions of its scene.";
   if (!QDir().mkpath(path_)) return QString("Cannot create the folder '%1'.").arg(path_);
   QSaveFile file(file_of(name));
-  const QByteArray text = QByteArray::fromStdString(grf::to_text(standing_alone(brdf)) + "\n");
+  const QByteArray text = QByteArray::fromStdString(grf::to_text(self_contained(brdf)) + "\n");
   const bool is_written = file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
   return is_written ? QString() : QString("Cannot write '%1': %2.").arg(file.fileName(), file.errorString());
 }

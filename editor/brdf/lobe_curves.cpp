@@ -20,7 +20,7 @@ std::shared_ptr<const Reflector> reflector_of(const reflectance::Brdf& brdf, con
     mistake = QString("unknown sampling scheme '%1'").arg(QString::fromStdString(data.keyword));
     return nullptr;
   }
-  mistake = QString::fromStdString(reflectance::refusal(*scheme, brdf));
+  mistake = QString::fromStdString(reflectance::unsupported_reason(*scheme, brdf));
   return mistake.isEmpty() ? std::make_shared<const Reflector>(brdf, *scheme) : nullptr;
 }
 
@@ -33,7 +33,7 @@ QString numbers(const Rgb& rgb) { return number(rgb.x) + ',' + number(rgb.y) + '
 LobeCurves lobe_curves(const reflectance::Brdf& brdf, const std::vector<double>& views,
                        const std::optional<grf::PdfModel>& scheme, const StopFlag& stop) {
   LobeCurves result;
-  const auto reflector = scheme ? reflector_of(brdf, *scheme, result.scheme_mistake) : nullptr;
+  const auto reflector = scheme ? reflector_of(brdf, *scheme, result.scheme_error) : nullptr;
   for (const double view : views) {
     if (stop.is_set()) break;
     result.curves.push_back(plot::lobe_curve(brdf, view, reflector.get()));
@@ -41,11 +41,11 @@ LobeCurves lobe_curves(const reflectance::Brdf& brdf, const std::vector<double>&
   return result;
 }
 
-EnergyWords energy_words(const reflectance::Brdf& brdf, const grf::LargestAlbedo& largest) {
+EnergyNote energy_note(const reflectance::Brdf& brdf, const grf::LargestAlbedo& largest) {
   constexpr float ClearlyOver = 1.005F;
   const grf::ModelInfo info = info_of(brdf);
   const QString why = text_of(info.not_conserving);
-  EnergyWords words;
+  EnergyNote words;
   words.is_warning = largest.albedo > ClearlyOver;
   if (words.is_warning) {
     words.text = QString("Reflects up to %1 times the light it receives (at %2 degrees).")
@@ -64,7 +64,7 @@ QString curves_csv(const LobeCurves& curves) {
   for (const plot::LobeCurve& curve : curves.curves) {
     for (std::size_t i = 0; i < curve.degrees.size(); ++i) {
       text += number(curve.view) + ',' + number(curve.degrees[i]) + ',' + numbers(curve.values[i]) + ',' +
-              (curve.densities.empty() ? "" : number(curve.densities[i])) + '\n';
+              (curve.pdfs.empty() ? "" : number(curve.pdfs[i])) + '\n';
     }
   }
   return text;

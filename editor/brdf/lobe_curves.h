@@ -15,7 +15,7 @@ using SharedBrdf = std::shared_ptr<const reflectance::Brdf>;
 
 struct LobeCurves {
   std::vector<plot::LobeCurve> curves;
-  QString scheme_mistake;  ///< why there is no pdf though one was requested
+  QString scheme_error;  ///< why there is no pdf though one was requested
 };
 
 /// Evaluates the BRDF and the pdf along the plane of incidence. Building the scheme's tables may take seconds
@@ -24,11 +24,11 @@ LobeCurves lobe_curves(const reflectance::Brdf& brdf, const std::vector<double>&
                        const std::optional<grf::PdfModel>& scheme, const StopFlag& stop);
 
 /// The model's statement about energy conservation, and where it reflects more light than it receives.
-struct EnergyWords {
+struct EnergyNote {
   QString text;
   bool is_warning = false;
 };
-EnergyWords energy_words(const reflectance::Brdf& brdf, const grf::LargestAlbedo& largest);
+EnergyNote energy_note(const reflectance::Brdf& brdf, const grf::LargestAlbedo& largest);
 
 /// Formats comma-separated columns: angles, then f of each view in three channels, and pdfs if there are any.
 QString curves_csv(const LobeCurves& curves);

@@ -24,10 +24,10 @@ std::vector<Vec3f> directions_about(double degrees) {
   for (int ring = 0; ring <= Rings; ++ring) {
     for (int sector = 0; sector < Sectors; ++sector) {
       const double beta = 2 * std::numbers::pi * sector / Sectors;
-      const double rise = std::cos(beta) * towards_normal.z;
-      const double horizon = std::atan2(axis.z, -rise);
-      const double share = static_cast<double>(ring) / Rings;
-      const double alpha = horizon * share * share * (0.2 + 0.8 * share);
+      const double elevation = std::cos(beta) * towards_normal.z;
+      const double horizon = std::atan2(axis.z, -elevation);
+      const double fraction = static_cast<double>(ring) / Rings;
+      const double alpha = horizon * fraction * fraction * (0.2 + 0.8 * fraction);
       const Imath::V3d side = std::cos(beta) * towards_normal + std::sin(beta) * across;
       Vec3f direction(std::cos(alpha) * axis + std::sin(alpha) * side);
       direction.z = std::max(direction.z, 1e-5F);
@@ -78,7 +78,7 @@ LobeMesh lobe_mesh(const reflectance::Brdf& brdf, double view, bool with_cosine,
   mesh.view = view;
   mesh.directions = directions_about(view);
   const Vec3f u = plot::direction_at(-view);
-  mesh.mirror = plot::channel_of(reflectance::mirror(brdf, u), plot::Channel::Luminance);
+  mesh.specular = plot::channel_of(reflectance::specular_weight(brdf, u), plot::Channel::Luminance);
   for (const Vec3f& v : mesh.directions) {
     if (stop.is_set()) return {};
     const double value = plot::channel_of(reflectance::evaluate(brdf, u, v), plot::Channel::Luminance);

@@ -10,9 +10,9 @@ namespace editor {
 /// A BRDF over the hemisphere for one view direction, as a surface whose distance from the centre is the
 /// value.
 struct LobeMesh {
-  double view = 0;    ///< degrees from the normal, on the side of negative x
-  double peak = 0;    ///< the largest value in 1/sr
-  double mirror = 0;  ///< weight of the specular (Dirac) part
+  double view = 0;      ///< degrees from the normal, on the side of negative x
+  double peak = 0;      ///< the largest value in 1/sr
+  double specular = 0;  ///< weight of the specular (Dirac) part
   std::vector<reflectance::Vec3f> directions;
   std::vector<float> values;                  ///< value of each direction, in 1/sr
   std::vector<reflectance::Vec3f> positions;  ///< direction times value over peak

@@ -181,7 +181,7 @@ void LobeView::paint_over(QPainter& painter, const QMatrix4x4& matrix) const {
   line((u + r).normalized(), 2, Qt::DotLine, "half");
   QString words = QString("%1: maximum %2 1/sr, view %3\u00b0")
                       .arg(with_cosine_ ? "f cos" : "f", number_text(mesh_->peak), number_text(view_));
-  if (mesh_->mirror > 0) words += QString(", specular part %1").arg(number_text(mesh_->mirror));
+  if (mesh_->specular > 0) words += QString(", specular part %1").arg(number_text(mesh_->specular));
   painter.setPen(colours.faint_text);
   painter.drawText(rect().adjusted(Grid, 0, -Grid, -Grid / 2), Qt::AlignBottom | Qt::AlignLeft, words);
   if (hasFocus()) {

@@ -12,7 +12,7 @@
 #include "editor/brdf/data_file_row.h"
 #include "editor/brdf/parameter_rows.h"
 #include "editor/brdf/terms_editor.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/tab_order.h"
 #include "editor/controls/text.h"
 #include "grf/keywords.h"
@@ -68,7 +68,7 @@ void BrdfForm::build_chooser() {
   chooser_->setInsertPolicy(QComboBox::NoInsert);
   for (const grf::ModelInfo& info : infos_) {
     chooser_->addItem(title_of(info));
-    chooser_->setItemData(chooser_->count() - 1, text_of(info.about), Qt::ToolTipRole);
+    chooser_->setItemData(chooser_->count() - 1, text_of(info.description), Qt::ToolTipRole);
   }
   chooser_->completer()->setFilterMode(Qt::MatchContains);
   chooser_->completer()->setCompletionMode(QCompleter::PopupCompletion);
@@ -112,7 +112,7 @@ void BrdfForm::choose(int index) {
 }
 
 void BrdfForm::rebuild() {
-  using Takes = grf::ModelInfo::Takes;
+  using ArgumentKind = grf::ModelInfo::ArgumentKind;
   for (QWidget* old : std::initializer_list<QWidget*>{terms_, data_file_}) {
     if (old == nullptr) continue;
     old->hide();
@@ -120,7 +120,7 @@ void BrdfForm::rebuild() {
   }
   terms_ = nullptr;
   data_file_ = nullptr;
-  if (info_ != nullptr && info_->takes == Takes::Terms) {
+  if (info_ != nullptr && info_->argument_kind == ArgumentKind::Terms) {
     terms_ = new TermsEditor(this);
     rows_->insertWidget(0, terms_);
     const auto take = [this](const std::vector<grf::CombineTerm>& terms, bool is_done) {
@@ -130,7 +130,7 @@ void BrdfForm::rebuild() {
     connect(terms_, &TermsEditor::changing, this, [take](const auto& terms) { take(terms, false); });
     connect(terms_, &TermsEditor::edited, this, [take](const auto& terms) { take(terms, true); });
   }
-  if (info_ != nullptr && info_->takes == Takes::DataFile) {
+  if (info_ != nullptr && info_->argument_kind == ArgumentKind::DataFile) {
     data_file_ = new DataFileRow(this);
     rows_->insertWidget(0, data_file_);
     connect(data_file_, &DataFileRow::edited, this, [this](const QString& file) {
@@ -143,7 +143,7 @@ void BrdfForm::rebuild() {
 void BrdfForm::apply(bool is_done) {
   refresh();
   check_models();
-  if (mistakes_.empty()) emit is_done ? edited(models_) : changing(models_);
+  if (errors_.empty()) emit is_done ? edited(models_) : changing(models_);
 }
 
 void BrdfForm::refresh() {
@@ -162,7 +162,7 @@ void BrdfForm::refresh() {
 void BrdfForm::refresh_chooser() {
   chooser_->setEnabled(!models_.empty());
   chooser_->setToolTip(models_.empty()    ? "No selected face has a BRDF"
-                       : info_ != nullptr ? "<p>" + text_of(info_->about).toHtmlEscaped() + "</p>"
+                       : info_ != nullptr ? "<p>" + text_of(info_->description).toHtmlEscaped() + "</p>"
                                           : "The model of the BRDF; type a part of its name to search");
   chooser_->setCurrentIndex(info_ != nullptr ? static_cast<int>(info_ - infos_.data()) : -1);
   const QString unknown = info_ == nullptr ? QString::fromStdString(common_keyword()) : QString();
@@ -178,7 +178,7 @@ void BrdfForm::refresh_chooser() {
     hint = "Unknown BRDF model. Choose one here.";
   else if (info_ == nullptr)
     hint = "The faces have different models. Choose one here to assign it to all.";
-  else if (info_->parameters.empty() && info_->takes == grf::ModelInfo::Takes::Parameters)
+  else if (info_->parameters.empty() && info_->argument_kind == grf::ModelInfo::ArgumentKind::Parameters)
     hint = "This model has no parameters.";
   show_problem(hint_, hint);
 }
@@ -205,14 +205,14 @@ void BrdfForm::refresh_rows() {
 }
 
 void BrdfForm::check_models() {
-  mistakes_.clear();
+  errors_.clear();
   for (const grf::BrdfModel& model : models_) {
-    for (const QString& mistake : mistakes_of(model, definitions_)) {
-      if (std::ranges::find(mistakes_, mistake) == mistakes_.end()) mistakes_.push_back(mistake);
+    for (const QString& mistake : errors_of(model, definitions_)) {
+      if (std::ranges::find(errors_, mistake) == errors_.end()) errors_.push_back(mistake);
     }
   }
-  parameters_->show_mistakes(mistakes_);
-  show_problem(message_, QStringList(mistakes_.begin(), mistakes_.end()).join('\n'));
+  parameters_->show_errors(errors_);
+  show_problem(message_, QStringList(errors_.begin(), errors_.end()).join('\n'));
 }
 
 void BrdfForm::focusInEvent(QFocusEvent* event) { chooser_->setFocus(event->reason()); }

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "editor/brdf/made_brdf.h"
+#include "editor/brdf/compiled_brdf.h"
 #include "grf/catalogue.h"
 
 class QComboBox;
@@ -34,7 +34,7 @@ class BrdfForm : public QWidget {
   void set_definitions(Definitions definitions);
 
   /// The messages of the last check, empty if all values are valid.
-  const std::vector<QString>& mistakes() const { return mistakes_; }
+  const std::vector<QString>& errors() const { return errors_; }
 
  signals:
   /// Emitted while a control is dragged, with as many models as were set, in their order.
@@ -61,7 +61,7 @@ class BrdfForm : public QWidget {
   std::vector<grf::ModelInfo> infos_;
   std::vector<grf::BrdfModel> models_;
   Definitions definitions_;
-  std::vector<QString> mistakes_;
+  std::vector<QString> errors_;
   const grf::ModelInfo* info_ = nullptr;  ///< of the model that all share; null if they differ
 
   QComboBox* chooser_ = nullptr;

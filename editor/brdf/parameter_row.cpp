@@ -10,8 +10,8 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/colour_button.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
-#include "editor/controls/parts.h"
 #include "editor/controls/scaled_slider.h"
 #include "editor/controls/text.h"
 
@@ -82,18 +82,18 @@ void ParameterRow::add_number() {
   box_ = new_box(name);
   box_->setFixedWidth(10 * Grid);
   name_->setBuddy(box_);
-  const auto told = [](double number) { return Value(static_cast<float>(number)); };
+  const auto as_value = [](double number) { return Value(static_cast<float>(number)); };
   for (const auto& [signal, done] :
        {std::pair(&ScaledSlider::changing, false), {&ScaledSlider::edited, true}}) {
-    connect(slider_, signal, this, [this, told, is_done = done](double number) {
+    connect(slider_, signal, this, [this, as_value, is_done = done](double number) {
       box_->set_value(number);
-      emit is_done ? edited(told(number)) : changing(told(number));
+      emit is_done ? edited(as_value(number)) : changing(as_value(number));
     });
   }
   for (const auto& [signal, done] : {std::pair(&NumberBox::changing, false), {&NumberBox::edited, true}}) {
-    connect(box_, signal, this, [this, told, is_done = done](double number) {
+    connect(box_, signal, this, [this, as_value, is_done = done](double number) {
       slider_->set_number(number);
-      emit is_done ? edited(told(number)) : changing(told(number));
+      emit is_done ? edited(as_value(number)) : changing(as_value(number));
     });
   }
 }
@@ -161,7 +161,7 @@ void ParameterRow::add_reset() {
 }
 
 void ParameterRow::show_values(const std::vector<Value>& values, bool is_default) {
-  const QScopedValueRollback told(is_told_, true);
+  const QScopedValueRollback updating(is_updating_, true);
   enable(reset_, "Reset to the default", is_default ? "Already at its default" : QString());
   if (check_ != nullptr) {
     const auto* flag = std::get_if<bool>(&values.front());
@@ -227,7 +227,7 @@ void ParameterRow::split_channels(bool into_three) {
 }
 
 void ParameterRow::report_channel(std::size_t channel, double number, bool is_done) {
-  if (is_told_) return;
+  if (is_updating_) return;
   rgb_[static_cast<int>(channel)] = static_cast<float>(number);
   emit is_done ? edited(rgb_) : changing(rgb_);
 }

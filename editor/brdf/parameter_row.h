@@ -53,7 +53,7 @@ class ParameterRow : public QWidget {
   NumberBox* new_box(const QString& name);
 
   grf::ParameterInfo parameter_;
-  bool is_told_ = false;
+  bool is_updating_ = false;
   grf::Colour rgb_ = grf::Colour(0);
   QLabel* name_ = nullptr;
   QToolButton* reset_ = nullptr;

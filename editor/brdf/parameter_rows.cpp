@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "editor/brdf/parameter_row.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/text.h"
 
 namespace editor {
@@ -52,12 +52,12 @@ void ParameterRows::show_models(const grf::ModelInfo* info, const std::vector<co
   }
 }
 
-void ParameterRows::show_mistakes(const std::vector<QString>& mistakes) {
+void ParameterRows::show_errors(const std::vector<QString>& errors) {
   for (ParameterRow* row : rows_) {
     const QString begin = QString("'%1' of ").arg(text_of(row->parameter().name));
     const auto found =
-        std::ranges::find_if(mistakes, [&](const QString& mistake) { return mistake.startsWith(begin); });
-    row->set_message(found == mistakes.end() ? QString() : *found);
+        std::ranges::find_if(errors, [&](const QString& mistake) { return mistake.startsWith(begin); });
+    row->set_message(found == errors.end() ? QString() : *found);
   }
 }
 

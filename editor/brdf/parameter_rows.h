@@ -22,7 +22,7 @@ class ParameterRows : public QWidget {
   /// Shows instances of one model, at least one. The model's description outlives this; null shows no rows.
   void show_models(const grf::ModelInfo* info, const std::vector<const grf::Model*>& models);
   /// Marks the rows that the messages of `grf::check` refer to.
-  void show_mistakes(const std::vector<QString>& mistakes);
+  void show_errors(const std::vector<QString>& errors);
 
  signals:
   /// Emitted with an edit to apply to each instance; `is_done` once the control is released.

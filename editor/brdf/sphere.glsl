@@ -1,5 +1,5 @@
 // Shades a sphere under a light and a sky, in the common subset of GLSL and C++: see sphere_shading.h. World
-// frame: x to the right, y up, z to the eye, which is far away. `brdf_value` and `brdf_mirror` are the
+// frame: x to the right, y up, z to the eye, which is far away. `brdf_value` and `brdf_specular` are the
 // BRDF's.
 
 // A dim studio environment: brighter from above, with a soft window at the upper left.
@@ -28,13 +28,13 @@ vec3 to_world(vec3 n, vec3 d) { return sphere_tangent(n) * d.x + sphere_bitangen
 // to narrow, in turn, so that both diffuse and glossy BRDFs are sampled well. The pdf is that of the mixture
 // of all four.
 real lobe_exponent(int lobe) { return lobe == 1 ? real(8.0f) : lobe == 2 ? real(150.0f) : real(4000.0f); }
-real lobe_density(real cosine, real n) {
+real lobe_pdf(real cosine, real n) {
   return cosine > 0 ? (n + 1) / (2 * PI) * exp(n * log(max(cosine, real(1e-6f)))) : real(0);
 }
-real drawn_density(vec3 u, vec3 v) {
+real drawn_pdf(vec3 u, vec3 v) {
   real cosine = v.z * u.z - v.x * u.x - v.y * u.y;
   real sum = max(v.z, real(0)) / PI;
-  for (int lobe = 1; lobe < 4; ++lobe) sum += lobe_density(cosine, lobe_exponent(lobe));
+  for (int lobe = 1; lobe < 4; ++lobe) sum += lobe_pdf(cosine, lobe_exponent(lobe));
   return sum / 4;
 }
 real part_above_floor(real x) { return x - floor(x); }
@@ -64,7 +64,7 @@ vec3 direct_radiance(vec3 n, vec3 light, real strength) {
   vec3 u = to_local(n, vec3(real(0), real(0), real(1)));
   vec3 v = to_local(n, light);
   vec3 sum = v.z > 0 ? brdf_value(u, v) * (strength * v.z) : vec3(real(0));
-  return sum + brdf_mirror(u) * sky_radiance(to_world(n, vec3(-u.x, -u.y, u.z)));
+  return sum + brdf_specular(u) * sky_radiance(to_world(n, vec3(-u.x, -u.y, u.z)));
 }
 
 // The sum of `count` Monte Carlo estimates of the radiance due to the sky.
@@ -73,7 +73,7 @@ vec3 sky_sum(vec3 n, int first, int count) {
   vec3 sum = vec3(real(0));
   for (int i = first; i < first + count; ++i) {
     vec3 v = drawn_direction(u, i);
-    if (v.z > 0) sum += brdf_value(u, v) * sky_radiance(to_world(n, v)) * (v.z / drawn_density(u, v));
+    if (v.z > 0) sum += brdf_value(u, v) * sky_radiance(to_world(n, v)) * (v.z / drawn_pdf(u, v));
   }
   return sum;
 }

@@ -41,15 +41,15 @@ SphereImage SphereRenderer::picture(const SphereScene& scene, int samples, const
   }
   if (shader_) {
     if (auto image = shader_->shade(scene, samples, stop)) return *std::move(image);
-    if (!shader_->refusal().isEmpty()) warn_of_refusal();
+    if (!shader_->compile_error().isEmpty()) warn_of_compile_error();
   }
-  return shade_by_cpp(scene, samples, stop);
+  return shade_on_cpu(scene, samples, stop);
 }
 
-void SphereRenderer::warn_of_refusal() {
+void SphereRenderer::warn_of_compile_error() {
   QMetaObject::invokeMethod(
       this,
-      [this, why = shader_->refusal()] {
+      [this, why = shader_->compile_error()] {
         emit warned(
             tr("The graphics driver cannot compile the shader of a BRDF: its sphere is shaded on the CPU: %1")
                 .arg(why));

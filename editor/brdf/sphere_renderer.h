@@ -28,7 +28,7 @@ class SphereRenderer : public QObject {
 
  private:
   SphereImage picture(const SphereScene& scene, int samples, const StopFlag& stop, QOpenGLContext* context);
-  void warn_of_refusal();
+  void warn_of_compile_error();
   void report(const SphereImage& image, bool is_final, int number);
 
   const GraphicsDriver driver_;

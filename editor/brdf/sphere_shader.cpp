@@ -28,11 +28,11 @@ void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2
 )";
 
 const char* const MirrorText = R"(
-uniform vec3 mirror_weights[64];
-vec3 brdf_mirror(vec3 u) {
+uniform vec3 specular_weights[64];
+vec3 brdf_specular(vec3 u) {
   float place = acos(clamp(u.z, 0.0, 1.0)) / (PI / 2) * 63;
   int below = min(int(place), 62);
-  return mix(mirror_weights[below], mirror_weights[below + 1], place - below);
+  return mix(specular_weights[below], specular_weights[below + 1], place - below);
 }
 )";
 
@@ -69,7 +69,7 @@ struct SphereShader::Parts {
   std::unique_ptr<QOpenGLVertexArrayObject> no_vertices;
   std::unique_ptr<QOpenGLFramebufferObject> target;
   std::map<std::string, CompiledProgram> programs;
-  QString refusal;
+  QString compile_error;
 
   Parts(QOpenGLContext& own_context, const GraphicsDriver& own_driver)
       : context(own_context), driver(own_driver) {}
@@ -98,8 +98,8 @@ struct SphereShader::Parts {
     program.setUniformValue("light", scene.light.x, scene.light.y, scene.light.z);
     program.setUniformValue("light_strength", scene.light_strength);
     program.setUniformValue("samples", samples);
-    const MirrorTable mirror = mirror_table(*scene.brdf);
-    program.setUniformValueArray("mirror_weights", &mirror[0].x, static_cast<int>(mirror.size()), 3);
+    const SpecularTable specular = specular_table(*scene.brdf);
+    program.setUniformValueArray("specular_weights", &specular[0].x, static_cast<int>(specular.size()), 3);
     program.setUniformValueArray("brdf_parameters", &shader.parameters[0].x,
                                  static_cast<int>(shader.parameters.size()), 3);
     draw_by_bands(scene.side, stop);
@@ -146,7 +146,7 @@ struct SphereShader::Parts {
 SphereShader::SphereShader(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 SphereShader::~SphereShader() = default;
 
-const QString& SphereShader::refusal() const { return parts_->refusal; }
+const QString& SphereShader::compile_error() const { return parts_->compile_error; }
 
 std::unique_ptr<SphereShader> SphereShader::create(QOpenGLContext& context, const GraphicsDriver& driver) {
   auto parts = std::make_unique<Parts>(context, driver);
@@ -157,11 +157,11 @@ std::unique_ptr<SphereShader> SphereShader::create(QOpenGLContext& context, cons
 
 std::optional<SphereImage> SphereShader::shade(const SphereScene& scene, int samples, const StopFlag& stop) {
   const auto shader = reflectance::shader_of(*scene.brdf);
-  parts_->refusal.clear();
+  parts_->compile_error.clear();
   if (!shader) return std::nullopt;
   const CompiledProgram& made = parts_->program_of(shader->text);
   if (made.program == nullptr) {
-    parts_->refusal = first_line(made.log);
+    parts_->compile_error = first_line(made.log);
     return std::nullopt;
   }
   if (!parts_->target || parts_->target->width() != scene.side) {

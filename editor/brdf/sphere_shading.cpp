@@ -21,15 +21,15 @@ struct SphereFormula {
   static constexpr real PI = reflectance::Pi;
 
   const reflectance::Brdf& brdf;
-  const MirrorTable& mirror;
+  const SpecularTable& specular;
 
   vec3 brdf_value(const vec3& u, const vec3& v) const { return reflectance::evaluate(brdf, u, v); }
-  vec3 brdf_mirror(const vec3& u) const {
+  vec3 brdf_specular(const vec3& u) const {
     const float place =
-        std::acos(std::clamp(u.z, 0.0F, 1.0F)) / (PI / 2) * static_cast<float>(mirror.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(place), mirror.size() - 2);
-    const float share = place - static_cast<float>(below);
-    return mirror[below] * (1 - share) + mirror[below + 1] * share;
+        std::acos(std::clamp(u.z, 0.0F, 1.0F)) / (PI / 2) * static_cast<float>(specular.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(place), specular.size() - 2);
+    const float fraction = place - static_cast<float>(below);
+    return specular[below] * (1 - fraction) + specular[below + 1] * fraction;
   }
 
   static real exp(real x) { return std::exp(x); }
@@ -45,12 +45,12 @@ struct SphereFormula {
 
 }  // namespace
 
-MirrorTable mirror_table(const reflectance::Brdf& brdf) {
-  MirrorTable table;
+SpecularTable specular_table(const reflectance::Brdf& brdf) {
+  SpecularTable table;
   for (std::size_t i = 0; i < table.size(); ++i) {
     const double degrees =
         std::min(89.9999, 90.0 * static_cast<double>(i) / static_cast<double>(table.size() - 1));
-    table[i] = reflectance::mirror(brdf, plot::direction_at(degrees));
+    table[i] = reflectance::specular_weight(brdf, plot::direction_at(degrees));
   }
   return table;
 }
@@ -87,15 +87,15 @@ QImage displayed(const SphereImage& image, double stops) {
   return picture;
 }
 
-SphereImage shade_by_cpp(const SphereScene& scene, int samples, const StopFlag& stop) {
+SphereImage shade_on_cpu(const SphereScene& scene, int samples, const StopFlag& stop) {
   SphereImage image;
   image.side = scene.side;
   image.radiance.resize(static_cast<std::size_t>(scene.side) * scene.side, Rgb(0));
-  const MirrorTable mirror = mirror_table(*scene.brdf);
+  const SpecularTable specular = specular_table(*scene.brdf);
   std::vector<int> rows(static_cast<std::size_t>(scene.side));
   std::iota(rows.begin(), rows.end(), 0);
   QtConcurrent::blockingMap(rows, [&](int row) {
-    SphereFormula<float> formula{*scene.brdf, mirror};
+    SphereFormula<float> formula{*scene.brdf, specular};
     for (int column = 0; column < scene.side && !stop.is_set(); ++column) {
       const Vec3f n = sphere_normal(scene.side, column + 0.5, row + 0.5);
       if (n.z < 0) continue;

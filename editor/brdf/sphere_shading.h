@@ -15,8 +15,8 @@ class QOpenGLContext;
 namespace editor {
 
 /// Specular weights by view angle from 0 to 90 degrees, on which alone they depend.
-using MirrorTable = std::array<reflectance::Rgb, 64>;
-MirrorTable mirror_table(const reflectance::Brdf& brdf);
+using SpecularTable = std::array<reflectance::Rgb, 64>;
+SpecularTable specular_table(const reflectance::Brdf& brdf);
 
 struct SphereScene {
   SharedBrdf brdf;
@@ -43,7 +43,7 @@ QImage displayed(const SphereImage& image, double stops);
 
 /// Shades on the CPU, on all cores. `samples` is the number of sky directions, a multiple of 4. Empty if the
 /// flag was set.
-SphereImage shade_by_cpp(const SphereScene& scene, int samples, const StopFlag& stop);
+SphereImage shade_on_cpu(const SphereScene& scene, int samples, const StopFlag& stop);
 
 /// Shades with GLSL. It is created, used and destroyed while its context is current.
 class SphereShader {
@@ -56,7 +56,7 @@ class SphereShader {
   /// was set.
   std::optional<SphereImage> shade(const SphereScene& scene, int samples, const StopFlag& stop);
   /// Why the driver rejected the shader of the last BRDF; empty if it did not.
-  const QString& refusal() const;
+  const QString& compile_error() const;
 
  private:
   struct Parts;

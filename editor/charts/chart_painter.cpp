@@ -106,9 +106,9 @@ void add_text(QCustomPlot& plot, const QString& text, QPointF place, Qt::Alignme
   item->setClipToAxisRect(false);
 }
 
-QPointF polar_place(double degrees, double share) {
+QPointF polar_place(double degrees, double radius) {
   const double angle = degrees * std::numbers::pi / 180;
-  return {share * std::sin(angle), share * std::cos(angle)};
+  return {radius * std::sin(angle), radius * std::cos(angle)};
 }
 
 void draw_polar_grid(QCustomPlot& plot, const plot::PolarScale& scale, const ThemeColours& colours) {
@@ -116,9 +116,9 @@ void draw_polar_grid(QCustomPlot& plot, const plot::PolarScale& scale, const The
   faint.setAlphaF(0.7F);
   for (const double ring : scale.rings()) {
     QList<QPointF> arc;
-    for (int degrees = -90; degrees <= 90; degrees += 2) arc << polar_place(degrees, scale.share(ring));
+    for (int degrees = -90; degrees <= 90; degrees += 2) arc << polar_place(degrees, scale.fraction(ring));
     add_line(plot, arc, QPen(faint, 1));
-    add_text(plot, number_text(ring), {scale.share(ring), 0}, Qt::AlignHCenter | Qt::AlignTop,
+    add_text(plot, number_text(ring), {scale.fraction(ring), 0}, Qt::AlignHCenter | Qt::AlignTop,
              colours.faint_text);
   }
   for (int degrees = -90; degrees <= 90; degrees += 30) {
@@ -187,15 +187,15 @@ void draw(QCustomPlot& plot, const plot::PolarChart& chart) {
   const Theme theme = theme_of(plot.palette());
   const plot::PolarScale scale(chart);
   draw_polar_grid(plot, scale, colours);
-  const auto add = [&](const std::vector<plot::Series>& all, const auto& share) {
+  const auto add = [&](const std::vector<plot::Series>& all, const auto& radius) {
     for (std::size_t i = 0; i < all.size(); ++i) {
       QList<QPointF> line;
-      for (const plot::Point& point : all[i].points) line << polar_place(point.x, share(point.y));
+      for (const plot::Point& point : all[i].points) line << polar_place(point.x, radius(point.y));
       add_line(plot, line, pen_of(all[i], colour_of(all[i], i, theme, colours)), text_of(all[i].name));
     }
   };
-  add(chart.series, [&](double value) { return scale.share(value); });
-  add(chart.shares, [](double share) { return share; });
+  add(chart.series, [&](double value) { return scale.fraction(value); });
+  add(chart.fractions, [](double radius) { return radius; });
   for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
     axis->setTickLabels(false);
     axis->setTicks(false);

@@ -8,7 +8,7 @@ namespace editor {
 /// milliseconds.
 inline constexpr int SettlingMilliseconds = 400;
 
-/// The way that an arrow key leads, to the right and up; null for other keys.
+/// Returns the direction of an arrow key, x to the right and y up; null for other keys.
 inline QPoint arrow_way(int key) {
   const auto way = [key](int forwards, int backwards) {
     return key == forwards ? 1 : key == backwards ? -1 : 0;

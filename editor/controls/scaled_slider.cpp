@@ -49,7 +49,7 @@ void ScaledSlider::set_range(double minimum, double maximum, SliderScale scale) 
 }
 
 void ScaledSlider::set_number(double number) {
-  const QScopedValueRollback told(is_told_, true);
+  const QScopedValueRollback updating(is_updating_, true);
   number_ = number;
   if (!isSliderDown()) setValue(position_of(number));
 }
@@ -79,7 +79,7 @@ int ScaledSlider::position_of(double number) const {
 }
 
 void ScaledSlider::move_to(int position) {
-  if (is_told_) return;
+  if (is_updating_) return;
   number_ = number_at(position);
   has_moved_ = true;
   emit changing(number_);

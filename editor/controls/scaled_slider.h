@@ -40,7 +40,7 @@ class ScaledSlider : public QSlider {
   double maximum_ = 1;
   double number_ = 0;
   SliderScale scale_ = SliderScale::Linear;
-  bool is_told_ = false;  // the position follows a number that was set
+  bool is_updating_ = false;  // the position follows a number that was set
   bool has_moved_ = false;
   QTimer settling_;  // of keys and wheel
 };

@@ -6,7 +6,7 @@
 
 namespace editor {
 
-grf::BrdfModel standing_alone(grf::BrdfModel brdf) {
+grf::BrdfModel self_contained(grf::BrdfModel brdf) {
   brdf.instance_file.clear();
   if (!brdf.data_file.empty() && brdf.location.file) {
     brdf.data_file = grf::canonical_path(grf::path_beside(brdf.location.file->path, brdf.data_file));
@@ -16,7 +16,7 @@ grf::BrdfModel standing_alone(grf::BrdfModel brdf) {
 
 std::unique_ptr<QMimeData> mime_of(const grf::BrdfModel& brdf, const QString& definition_name) {
   auto mime = std::make_unique<QMimeData>();
-  const std::string text = grf::to_text(standing_alone(brdf));
+  const std::string text = grf::to_text(self_contained(brdf));
   mime->setData(BrdfMimeType, QByteArray::fromStdString(text));
   mime->setText(QString::fromStdString(text));
   if (!definition_name.isEmpty()) mime->setData(BrdfNameMimeType, definition_name.toUtf8());

@@ -19,7 +19,7 @@ inline constexpr const char* BrdfNameMimeType = "application/x-grf-brdf-name";
 
 /// Makes a BRDF independent of other files: one that is named by its file is written out, and its data file
 /// gets an absolute path.
-grf::BrdfModel standing_alone(grf::BrdfModel brdf);
+grf::BrdfModel self_contained(grf::BrdfModel brdf);
 
 /// Encodes a BRDF in both text types and, for a definition, its name.
 std::unique_ptr<QMimeData> mime_of(const grf::BrdfModel& brdf, const QString& definition_name = {});

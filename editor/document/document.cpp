@@ -114,8 +114,8 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   light_by_plain_sky();
   if (is_modified) set_saved(std::nullopt);
   emit path_changed();
-  emit taken();
-  if (has_plain_sky_) emit lit_by_a_plain_sky();
+  emit scene_replaced();
+  if (has_plain_sky_) emit scene_has_no_lights();
 }
 
 void Document::take_import(const ImportedModel& model) {
@@ -197,7 +197,7 @@ void Document::replace(const QString& text, grf::Scene scene, const QString& key
   grf::Diagnostics diagnostics;
   const std::size_t places = edit_all_places(scene_, scene, diagnostics);
   if (diagnostics.error_count() > 0)
-    return emit told(QString::fromStdString(diagnostics.entries().front().message));
+    return emit status_message(QString::fromStdString(diagnostics.entries().front().message));
   push(text, ScenePatch::between(scene_, scene), key);
   if (places > 0) tell_of_places(places);
 }
@@ -211,7 +211,8 @@ void Document::edit_surfaces(const QString& text, const SurfaceEdits& edits, con
 }
 
 void Document::tell_of_places(std::size_t places) {
-  emit told(tr("The edit also applies at %n other place(s) that include the file", nullptr, int(places)));
+  emit status_message(
+      tr("The edit also applies at %n other place(s) that include the file", nullptr, int(places)));
 }
 
 void Document::push(const QString& text, ScenePatch patch, const QString& key) {

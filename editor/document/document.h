@@ -94,13 +94,13 @@ class Document : public QObject {
  signals:
   void changed(const editor::Change& change);
   /// Emitted with a message if an edit changed more than requested, or failed.
-  void told(const QString& message);
+  void status_message(const QString& message);
   void selection_changed();
   void path_changed();
   /// Emitted when another scene was opened, imported, recovered or started.
-  void taken();
+  void scene_replaced();
   /// Emitted when the new scene has no lights: it uses a grey sky until it has one.
-  void lit_by_a_plain_sky();
+  void scene_has_no_lights();
   /// Emitted after the scene was written.
   void saved();
   void modified_changed(bool is_modified);

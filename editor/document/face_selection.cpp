@@ -17,10 +17,10 @@ class Spread {
       : mesh_(mesh),
         geometry_(&geometry),
         selection_(&selection),
-        edges_(*geometry.geometry, grf::first_at_place(*geometry.geometry)),
+        edges_(*geometry.geometry, grf::first_at_position(*geometry.geometry)),
         unselected_(edges_.edge_count()) {
     for (std::uint32_t edge = 0; edge < edges_.edge_count(); ++edge) {
-      for (const grf::FaceEdge& of_face : edges_.faces_at(edge)) {
+      for (const grf::HalfEdge& of_face : edges_.faces_at(edge)) {
         if (!selection.has({mesh, of_face.face})) ++unselected_[edge];
       }
     }
@@ -36,7 +36,7 @@ class Spread {
       front_.pop_back();
       for_each_edge_of(from, [&](std::uint32_t edge) {
         if (unselected_[edge] == 0) return;
-        for (const grf::FaceEdge& of_face : edges_.faces_at(edge)) {
+        for (const grf::HalfEdge& of_face : edges_.faces_at(edge)) {
           const std::uint32_t to = of_face.face;
           if (!selection_->has({mesh_, to}) && admits(from, to)) select(to);
         }
@@ -50,7 +50,7 @@ class Spread {
     for (std::uint32_t corner = geometry_->geometry->face_offsets[face];
          corner < geometry_->geometry->face_offsets[face + 1]; ++corner) {
       const std::uint32_t edge = edges_.at_corner(corner);
-      if (edge != grf::SharedEdges::None) action(edge);
+      if (edge != grf::SharedEdges::InvalidIndex) action(edge);
     }
   }
 
@@ -70,17 +70,17 @@ class Spread {
 
 /// The compared attributes of a face: its surface as written, and the resolved values, since a name can
 /// resolve differently in another scope.
-struct LikenessKey {
+struct SimilarityKey {
   grf::Surface written;
   grf::Surface meant;
-  std::vector<LookTerm> terms;
+  std::vector<FlatTerm> terms;
 
-  bool operator==(const LikenessKey&) const = default;
+  bool operator==(const SimilarityKey&) const = default;
 };
 
-std::size_t hash_of(const LikenessKey& key) {
+std::size_t hash_of(const SimilarityKey& key) {
   std::size_t hash = grf::hash_value(key.written) + 31 * grf::hash_value(key.meant);
-  for (const LookTerm& term : key.terms) {
+  for (const FlatTerm& term : key.terms) {
     grf::Surface of_term;
     of_term.brdf = term.brdf;
     hash = 31 * hash + grf::hash_value(of_term);
@@ -88,24 +88,24 @@ std::size_t hash_of(const LikenessKey& key) {
   return hash;
 }
 
-LikenessKey key_of(const grf::Surface& surface, const Look& look, Likeness likeness) {
-  const bool all = likeness == Likeness::All;
-  LikenessKey key;
-  if (all || likeness == Likeness::Brdf) {
+SimilarityKey key_of(const grf::Surface& surface, const FlatSurface& flat_surface, SimilarBy by) {
+  const bool all = by == SimilarBy::All;
+  SimilarityKey key;
+  if (all || by == SimilarBy::Brdf) {
     key.written.brdf = surface.brdf;
-    key.meant.brdf = look.brdf;
-    key.terms = look.terms;
+    key.meant.brdf = flat_surface.brdf;
+    key.terms = flat_surface.terms;
   }
-  if (all || likeness == Likeness::Pdf) key.written.pdf = surface.pdf;
-  if (all || likeness == Likeness::Colour) {
+  if (all || by == SimilarBy::Pdf) key.written.pdf = surface.pdf;
+  if (all || by == SimilarBy::Colour) {
     key.written.colour = surface.colour;
-    key.meant.colour = look.colour;
+    key.meant.colour = flat_surface.colour;
   }
-  if (all || likeness == Likeness::Texture) {
+  if (all || by == SimilarBy::Texture) {
     key.written.texture = surface.texture;
-    key.meant.texture = grf::Reference{look.texture, {}};
+    key.meant.texture = grf::Reference{flat_surface.texture, {}};
   }
-  if (all || likeness == Likeness::Emission) key.written.emission = surface.emission;
+  if (all || by == SimilarBy::Emission) key.written.emission = surface.emission;
   return key;
 }
 
@@ -188,13 +188,13 @@ FaceSelection grown(const FaceSelection& selection, const SceneObjects& objects)
   FaceSelection result = selection;
   for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    const auto edges = grf::edges_of_faces(*mesh.geometry, grf::first_at_place(*mesh.geometry));
-    grf::for_each_edge(edges, [&](std::span<const grf::FaceEdge> of_faces) {
-      const bool is_selected = std::ranges::any_of(of_faces, [&](const grf::FaceEdge& edge) {
+    const auto edges = grf::half_edges_of(*mesh.geometry, grf::first_at_position(*mesh.geometry));
+    grf::for_each_edge(edges, [&](std::span<const grf::HalfEdge> of_faces) {
+      const bool is_selected = std::ranges::any_of(of_faces, [&](const grf::HalfEdge& edge) {
         return selection.has({i, edge.face});
       });
       if (!is_selected) return;
-      for (const grf::FaceEdge& edge : of_faces) result.set({i, edge.face});
+      for (const grf::HalfEdge& edge : of_faces) result.set({i, edge.face});
     });
   }
   return result;
@@ -239,13 +239,13 @@ FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objec
   return result;
 }
 
-FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects, Likeness likeness) {
-  std::unordered_set<LikenessKey, decltype(&hash_of)> wanted(0, &hash_of);
+FaceSelection select_similar(const FaceSelection& selection, const SceneObjects& objects, SimilarBy by) {
+  std::unordered_set<SimilarityKey, decltype(&hash_of)> wanted(0, &hash_of);
   for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
     const std::vector<bool> is_used = selected_surfaces(objects, selection, i);
     for (std::size_t k = 0; k < is_used.size(); ++k) {
-      if (is_used[k]) wanted.insert(key_of(mesh.surfaces[k], objects.meshes[i].looks[k], likeness));
+      if (is_used[k]) wanted.insert(key_of(mesh.surfaces[k], objects.meshes[i].flat_surfaces[k], by));
     }
   }
   FaceSelection result(objects);
@@ -253,7 +253,7 @@ FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects,
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
     std::vector<bool> takes;
     for (std::size_t k = 0; k < mesh.surfaces.size(); ++k) {
-      takes.push_back(wanted.contains(key_of(mesh.surfaces[k], objects.meshes[i].looks[k], likeness)));
+      takes.push_back(wanted.contains(key_of(mesh.surfaces[k], objects.meshes[i].flat_surfaces[k], by)));
     }
     for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
       if (takes[(*mesh.surface_of_face)[face]]) result.set({i, face});

@@ -85,9 +85,9 @@ FaceSelection connected(const FaceSelection& selection, const SceneObjects& obje
 FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objects, double radians);
 
 /// The attribute in which surfaces must agree to be similar.
-enum class Likeness { Brdf, Pdf, Colour, Texture, Emission, All };
+enum class SimilarBy { Brdf, Pdf, Colour, Texture, Emission, All };
 
 /// All faces of all meshes whose surface is similar to that of a selected one.
-FaceSelection alike(const FaceSelection& selection, const SceneObjects& objects, Likeness likeness);
+FaceSelection select_similar(const FaceSelection& selection, const SceneObjects& objects, SimilarBy by);
 
 }  // namespace editor

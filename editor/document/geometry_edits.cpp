@@ -35,7 +35,7 @@ grf::Mesh with_part(const grf::Mesh& mesh, const FaceSelection::Faces& faces, co
   copies.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) copies.push_back(vertices_of_both.copy_vertex(part, i));
   const grf::Mesh both(std::move(vertices_of_both));
-  const std::vector<std::uint32_t> first = convert::first_alike(both);
+  const std::vector<std::uint32_t> first = convert::first_equal_vertex(both);
   convert::Rebuild rebuild(both);
   std::vector<std::uint32_t> corners;
   std::size_t of_part = 0;
@@ -57,7 +57,7 @@ using MeshEdit = std::function<grf::Mesh(const grf::Mesh&)>;
 /// Edits only the selected faces of a mesh. The edit keeps number and order of faces.
 grf::Mesh edited_mesh(const grf::Mesh& mesh, const FaceSelection::Faces& faces, const MeshEdit& edit) {
   if (faces.all()) return edit(mesh);
-  return with_part(mesh, faces, edit(grf::part_of(mesh, numbers_of(faces))));
+  return with_part(mesh, faces, edit(grf::submesh(mesh, numbers_of(faces))));
 }
 
 grf::Scene edited_scene(const SelectedFaces& faces, const MeshEdit& edit) {

@@ -17,8 +17,8 @@ double mean(const grf::Colour& colour) {
 
 /// The radiance of a mesh's surface, or nothing if it does not emit.
 std::optional<grf::Colour> emission_of(const MeshObject& mesh, std::size_t surface) {
-  const Look& look = mesh.looks[surface];
-  return mesh.is_light ? look.colour : look.emission;
+  const FlatSurface& flat_surface = mesh.flat_surfaces[surface];
+  return mesh.is_light ? flat_surface.colour : flat_surface.emission;
 }
 
 Emitter emitter_of(const MeshObject& mesh) {
@@ -43,7 +43,7 @@ void add_place(const MeshObject& mesh, const grf::Matrix44d& to_world, Emitter& 
   }
 }
 
-std::optional<grf::Scene> nothing_there(std::string_view what, grf::Diagnostics& diagnostics) {
+std::optional<grf::Scene> report_missing(std::string_view what, grf::Diagnostics& diagnostics) {
   diagnostics.error({}, "there is no " + std::string(what) + " at that place");
   return std::nullopt;
 }
@@ -74,7 +74,7 @@ grf::Colour radiance_of(double power, double area, const grf::Colour& colour) {
 }
 
 bool emits(const MeshObject& mesh) {
-  for (std::size_t i = 0; i < mesh.looks.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.flat_surfaces.size(); ++i) {
     if (emission_of(mesh, i)) return true;
   }
   return false;
@@ -129,7 +129,7 @@ std::optional<grf::Scene> change_light(const grf::Scene& scene, grf::ScenePathVi
                                        const grf::AreaLight& light, grf::Diagnostics& diagnostics) {
   grf::Scene changed = scene;
   auto* there = content_at<grf::AreaLight>(changed, path);
-  if (there == nullptr) return nothing_there("light", diagnostics);
+  if (there == nullptr) return report_missing("light", diagnostics);
   *there = light;
   return changed;
 }
@@ -150,7 +150,7 @@ std::optional<grf::Scene> move_observer(const grf::Scene& scene, const ObserverO
                                         const grf::Vec3d& position, grf::Diagnostics& diagnostics) {
   grf::Scene changed = scene;
   grf::Params* params = params_at(changed, observer);
-  if (params == nullptr) return nothing_there("observer", diagnostics);
+  if (params == nullptr) return report_missing("observer", diagnostics);
   const grf::Matrix44d to_local = to_world_at(scene, observer.path).inverse();
   params->views[observer.number] = grf::Vec3f(position * to_local);
   return changed;

@@ -16,7 +16,7 @@ namespace {
 
 using Step = grf::TransformStep;
 
-std::optional<grf::Scene> nothing_there(grf::Diagnostics& diagnostics) {
+std::optional<grf::Scene> report_missing(grf::Diagnostics& diagnostics) {
   diagnostics.error({}, "there is no object at that place");
   return std::nullopt;
 }
@@ -111,7 +111,7 @@ void define_mesh(grf::Scene& scene, const grf::ScenePath& path, grf::ScenePath& 
 
 std::optional<grf::Scene> move_object(const grf::Scene& scene, grf::ScenePathView path,
                                       const grf::Vec3d& offset, grf::Diagnostics& diagnostics) {
-  if (block_at(scene, path) == nullptr) return nothing_there(diagnostics);
+  if (block_at(scene, path) == nullptr) return report_missing(diagnostics);
   grf::Scene changed = scene;
   move(changed, {path.begin(), path.end()}, offset);
   return changed;
@@ -130,14 +130,14 @@ std::optional<grf::Scene> remove_objects(const grf::Scene& scene, const std::vec
   }
   grf::Scene changed = scene;
   std::vector<grf::ScenePath> gone = paths;
-  if (!remove_observers(changed, observers, gone)) return nothing_there(diagnostics);
+  if (!remove_observers(changed, observers, gone)) return report_missing(diagnostics);
   erase(changed, std::move(gone));
   return changed;
 }
 
 std::optional<grf::Scene> duplicate_object(const grf::Scene& scene, grf::ScenePathView path,
                                            const grf::Vec3d& offset, grf::Diagnostics& diagnostics) {
-  if (block_at(scene, path) == nullptr) return nothing_there(diagnostics);
+  if (block_at(scene, path) == nullptr) return report_missing(diagnostics);
   grf::Scene changed = scene;
   grf::ScenePath place(path.begin(), path.end());
   while (const auto mesh = first_mesh_in(*block_at(changed, place), place))

@@ -27,8 +27,9 @@ std::string moved(const std::string& text, const QString& from_path, const QStri
   const QString from = op_naming_path(from_path);
   const QString to = op_naming_path(to_path);
   if (QFileInfo(from).absolutePath() == QFileInfo(to).absolutePath()) return text;
-  grf::Diagnostics unheard;  // unwritable values did not exist before
-  return op_text_of(with_absolute_paths(OpText(text).options(), from), to, text, unheard).value_or(text);
+  grf::Diagnostics ignored_diagnostics;  // unwritable values did not exist before
+  return op_text_of(with_absolute_paths(OpText(text).options(), from), to, text, ignored_diagnostics)
+      .value_or(text);
 }
 
 /// The first line that differs.
@@ -191,8 +192,8 @@ void OpDocument::follow(const RenderOptions& wanted) {
 
 /// Updates the text; options whose values cannot be written in an OP file are unchanged.
 std::optional<OpText> OpDocument::text_with(const RenderOptions& wanted) const {
-  grf::Diagnostics unheard;
-  const auto text = op_text_of(wanted, op_naming_path(path_), text_.text(), unheard);
+  grf::Diagnostics ignored_diagnostics;
+  const auto text = op_text_of(wanted, op_naming_path(path_), text_.text(), ignored_diagnostics);
   return text ? std::optional(OpText(*text)) : std::nullopt;
 }
 

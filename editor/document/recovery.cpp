@@ -223,8 +223,8 @@ std::optional<grf::Scene> Recovery::read(const LostWork& work, grf::Diagnostics&
   const QJsonArray names = record_in(work.folder)["includes"].toArray();
   const std::string path = work.path.toStdString();
   grf::Scene result = Unpacking(work.folder.toStdString(), names).unpack(*scene, path);
-  grf::Diagnostics unheard;
-  if (const auto on_disk = path.empty() ? std::nullopt : grf::read(path, unheard)) {
+  grf::Diagnostics ignored_diagnostics;
+  if (const auto on_disk = path.empty() ? std::nullopt : grf::read(path, ignored_diagnostics)) {
     IncludesOfFiles includes;
     collect(on_disk->contents, path, includes);
     take_origins(result.contents, path, includes);

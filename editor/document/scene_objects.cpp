@@ -19,7 +19,7 @@ class Collector {
     grf::SceneVisitor visitor = mesh_visitor(
         [this](MeshObject object, const grf::Placement& placement) {
           object.path = path_of(placement);
-          object.looks = looks_of(*object.mesh, placement);
+          object.flat_surfaces = flat_surfaces_of(*object.mesh, placement);
           objects_.faces += object.mesh->face_count();
           objects_.meshes.push_back(std::move(object));
         },
@@ -38,7 +38,7 @@ class Collector {
         [&](MeshObject object, const grf::Placement& placement) {
           if (!are_changed[next_mesh_]) return;
           object.path = std::move(objects.meshes[next_mesh_].path);
-          object.looks = looks_of(*object.mesh, placement);
+          object.flat_surfaces = flat_surfaces_of(*object.mesh, placement);
           objects.meshes[next_mesh_] = std::move(object);
         },
         [](std::uint32_t, const grf::Placement&) {});
@@ -116,30 +116,31 @@ class Collector {
     }
   }
 
-  std::vector<Look> looks_of(const grf::Mesh& mesh, const grf::Placement& placement) const {
-    std::vector<Look> looks;
-    for (const grf::Surface& surface : mesh.surfaces) looks.push_back(look_of(surface, placement));
-    return looks;
+  std::vector<FlatSurface> flat_surfaces_of(const grf::Mesh& mesh, const grf::Placement& placement) const {
+    std::vector<FlatSurface> flat_surfaces;
+    for (const grf::Surface& surface : mesh.surfaces)
+      flat_surfaces.push_back(flat_surface_of(surface, placement));
+    return flat_surfaces;
   }
 
-  Look look_of(const grf::Surface& surface, const grf::Placement& placement) const {
+  FlatSurface flat_surface_of(const grf::Surface& surface, const grf::Placement& placement) const {
     const grf::ResolvedSurface resolved = grf::resolve(surface, placement.scope);
-    Look look;
-    look.colour = resolved.colour;
-    look.emission = resolved.emission;
+    FlatSurface flat_surface;
+    flat_surface.colour = resolved.colour;
+    flat_surface.emission = resolved.emission;
     if (resolved.texture != nullptr) {
       const auto* name = std::get_if<grf::Reference>(&*surface.texture);
       const std::string file(name == nullptr ? placement.file
                                              : file_of_.at(placement.scope.find(name->name)));
-      look.texture = grf::path_beside(file, resolved.texture->file);
+      flat_surface.texture = grf::path_beside(file, resolved.texture->file);
     }
-    if (resolved.brdf == nullptr) return look;
-    look.brdf = *resolved.brdf;
-    if (resolved.brdf->terms.empty()) return look;
+    if (resolved.brdf == nullptr) return flat_surface;
+    flat_surface.brdf = *resolved.brdf;
+    if (resolved.brdf->terms.empty()) return flat_surface;
     for (const grf::WeightedBrdf& summand : grf::summands_of(*resolved.brdf, resolved.brdf_scope)) {
-      look.terms.push_back({summand.weight, *summand.model});
+      flat_surface.terms.push_back({summand.weight, *summand.model});
     }
-    return look;
+    return flat_surface;
   }
 
   const std::string& path_;

@@ -15,18 +15,18 @@
 namespace editor {
 
 /// A BRDF that is no sum, with its weight in one.
-struct LookTerm {
+struct FlatTerm {
   float weight = 1;
   grf::BrdfModel brdf;
 
-  bool operator==(const LookTerm&) const = default;
+  bool operator==(const FlatTerm&) const = default;
 };
 
 /// A surface with all names resolved.
-struct Look {
+struct FlatSurface {
   grf::Colour colour = grf::Colour(1);
   std::optional<grf::BrdfModel> brdf;  ///< absent for GRF's default
-  std::vector<LookTerm> terms;  ///< the flattened terms of a `combine`, through nested sums; else empty
+  std::vector<FlatTerm> terms;  ///< the flattened terms of a `combine`, through nested sums; else empty
   std::string texture;          ///< path of the image; empty for none
   std::optional<grf::Colour> emission;
 };
@@ -38,8 +38,8 @@ struct MeshObject {
   std::string name;  ///< of the mesh or of its definition; may be empty
   grf::Shared<grf::Mesh> mesh;
   bool is_definition = false;
-  bool is_light = false;    ///< whether it is a mesh light, whose surfaces' colours are radiances
-  std::vector<Look> looks;  ///< one per surface of the mesh
+  bool is_light = false;  ///< whether it is a mesh light, whose surfaces' colours are radiances
+  std::vector<FlatSurface> flat_surfaces;  ///< one per surface of the mesh
 };
 
 /// An instance of a mesh in world space.

@@ -30,28 +30,29 @@ std::size_t definitions_before(const grf::Block* block) {
 }
 
 /// The ancestors of a path, the outermost first, and the definition at its end.
-struct Way {
+struct Ancestors {
   std::vector<const grf::Block*> blocks;
   const grf::Definition* definition = nullptr;
   bool is_whole = true;  ///< false if the path is invalid
 };
 
-Way way_to(const grf::Scene& scene, grf::ScenePathView path) {
-  Way way;
+Ancestors ancestors_of(const grf::Scene& scene, grf::ScenePathView path) {
+  Ancestors ancestors;
   const grf::BlockList* list = &scene.contents;
   for (const std::uint32_t number : path) {
-    const grf::Block* around = way.blocks.empty() ? nullptr : way.blocks.back();
+    const grf::Block* around = ancestors.blocks.empty() ? nullptr : ancestors.blocks.back();
     const std::size_t before = definitions_before(around);
-    way.is_whole = list != nullptr && way.definition == nullptr && number < before + list->blocks.size();
-    if (!way.is_whole) break;
+    ancestors.is_whole =
+        list != nullptr && ancestors.definition == nullptr && number < before + list->blocks.size();
+    if (!ancestors.is_whole) break;
     if (number < before) {
-      way.definition = &std::get<grf::DefinitionScope>(around->content).definitions[number];
+      ancestors.definition = &std::get<grf::DefinitionScope>(around->content).definitions[number];
       continue;
     }
-    way.blocks.push_back(&list->blocks[number - before]);
-    list = list_in(*way.blocks.back());
+    ancestors.blocks.push_back(&list->blocks[number - before]);
+    list = list_in(*ancestors.blocks.back());
   }
-  return way;
+  return ancestors;
 }
 
 /// Replaces a scope without definitions by its blocks, and keeps its comments.
@@ -122,9 +123,9 @@ class NearestBefore {
 std::vector<PlacedDefinition> definitions_at(const grf::Scene& scene, grf::ScenePathView path) {
   std::vector<PlacedDefinition> found;
   std::unordered_map<std::string_view, std::size_t> place_of_name;
-  const Way way = way_to(scene, path);
-  for (std::size_t depth = 0; depth < way.blocks.size(); ++depth) {
-    const auto* scope = std::get_if<grf::DefinitionScope>(&way.blocks[depth]->content);
+  const Ancestors ancestors = ancestors_of(scene, path);
+  for (std::size_t depth = 0; depth < ancestors.blocks.size(); ++depth) {
+    const auto* scope = std::get_if<grf::DefinitionScope>(&ancestors.blocks[depth]->content);
     if (scope == nullptr || depth + 1 >= path.size()) continue;
     const std::size_t in_force = std::min<std::size_t>(path[depth + 1], scope->definitions.size());
     for (std::uint32_t i = 0; i < in_force; ++i) {
@@ -164,41 +165,43 @@ std::vector<PlacedDefinition> common_definitions(const grf::Scene& scene,
 }
 
 const grf::Definition* definition_at(const grf::Scene& scene, grf::ScenePathView path) {
-  const Way way = way_to(scene, path);
-  return way.is_whole ? way.definition : nullptr;
+  const Ancestors ancestors = ancestors_of(scene, path);
+  return ancestors.is_whole ? ancestors.definition : nullptr;
 }
 
 const grf::Block* block_at(const grf::Scene& scene, grf::ScenePathView path) {
-  const Way way = way_to(scene, path);
-  return way.is_whole && way.definition == nullptr && !way.blocks.empty() ? way.blocks.back() : nullptr;
+  const Ancestors ancestors = ancestors_of(scene, path);
+  return ancestors.is_whole && ancestors.definition == nullptr && !ancestors.blocks.empty()
+             ? ancestors.blocks.back()
+             : nullptr;
 }
 
 const grf::Mesh* mesh_at(const grf::Scene& scene, grf::ScenePathView path) {
-  const Way way = way_to(scene, path);
-  if (!way.is_whole || way.blocks.empty()) return nullptr;
+  const Ancestors ancestors = ancestors_of(scene, path);
+  if (!ancestors.is_whole || ancestors.blocks.empty()) return nullptr;
   const grf::Shared<grf::Mesh>* mesh = nullptr;
-  if (way.definition != nullptr) {
-    mesh = std::get_if<grf::Shared<grf::Mesh>>(&way.definition->body);
-  } else if (const auto* light = std::get_if<grf::MeshLight>(&way.blocks.back()->content)) {
+  if (ancestors.definition != nullptr) {
+    mesh = std::get_if<grf::Shared<grf::Mesh>>(&ancestors.definition->body);
+  } else if (const auto* light = std::get_if<grf::MeshLight>(&ancestors.blocks.back()->content)) {
     mesh = &light->mesh;
   } else {
-    mesh = std::get_if<grf::Shared<grf::Mesh>>(&way.blocks.back()->content);
+    mesh = std::get_if<grf::Shared<grf::Mesh>>(&ancestors.blocks.back()->content);
   }
   return mesh == nullptr ? nullptr : &**mesh;
 }
 
 bool is_in_include(const grf::Scene& scene, grf::ScenePathView path) {
-  const Way way = way_to(scene, path);
-  return std::ranges::any_of(way.blocks, [](const grf::Block* block) {
+  const Ancestors ancestors = ancestors_of(scene, path);
+  return std::ranges::any_of(ancestors.blocks, [](const grf::Block* block) {
     return std::holds_alternative<grf::Include>(block->content);
   });
 }
 
 grf::Matrix44d to_world_at(const grf::Scene& scene, grf::ScenePathView path) {
   grf::Matrix44d to_world;
-  const Way way = way_to(scene, path);
-  for (std::size_t depth = 0; depth < way.blocks.size() && depth + 1 < path.size(); ++depth) {
-    const auto* transform = std::get_if<grf::Transform>(&way.blocks[depth]->content);
+  const Ancestors ancestors = ancestors_of(scene, path);
+  for (std::size_t depth = 0; depth < ancestors.blocks.size() && depth + 1 < path.size(); ++depth) {
+    const auto* transform = std::get_if<grf::Transform>(&ancestors.blocks[depth]->content);
     if (transform != nullptr) to_world = grf::matrix_of(transform->steps) * to_world;
   }
   return to_world;
@@ -206,16 +209,16 @@ grf::Matrix44d to_world_at(const grf::Scene& scene, grf::ScenePathView path) {
 
 DefinitionInsertion DefinitionInsertion::around(const grf::Scene& scene, grf::ScenePathView path) {
   DefinitionInsertion insertion;
-  const Way way = way_to(scene, path);
-  for (std::size_t depth = way.blocks.size(); depth-- > 0;) {
+  const Ancestors ancestors = ancestors_of(scene, path);
+  for (std::size_t depth = ancestors.blocks.size(); depth-- > 0;) {
     const auto place = path.begin() + static_cast<std::ptrdiff_t>(depth) + 1;
     if (place == path.end()) continue;  // the object itself is not its own ancestor
-    if (std::holds_alternative<grf::Include>(way.blocks[depth]->content)) {
+    if (std::holds_alternative<grf::Include>(ancestors.blocks[depth]->content)) {
       insertion.list_.assign(path.begin(), place);
       insertion.is_new_ = true;
       return insertion;
     }
-    const auto* scope = std::get_if<grf::DefinitionScope>(&way.blocks[depth]->content);
+    const auto* scope = std::get_if<grf::DefinitionScope>(&ancestors.blocks[depth]->content);
     if (scope == nullptr) continue;
     insertion.scope_.assign(path.begin(), place);
     insertion.definitions_ = static_cast<std::uint32_t>(scope->definitions.size());
@@ -355,11 +358,11 @@ struct WrittenPlace {
   auto operator<=>(const WrittenPlace&) const = default;
 };
 
-/// Nothing for a path outside of included files.
+/// Empty for a path outside of included files.
 std::optional<WrittenPlace> written_place(const grf::Scene& scene, grf::ScenePathView path) {
-  const Way way = way_to(scene, path);
-  for (std::size_t depth = way.blocks.size(); depth-- > 0;) {
-    const auto* include = std::get_if<grf::Include>(&way.blocks[depth]->content);
+  const Ancestors ancestors = ancestors_of(scene, path);
+  for (std::size_t depth = ancestors.blocks.size(); depth-- > 0;) {
+    const auto* include = std::get_if<grf::Include>(&ancestors.blocks[depth]->content);
     if (include == nullptr || include->origin.path.empty()) continue;
     return WrittenPlace{include->origin.path, {path.begin() + std::ptrdiff_t(depth) + 1, path.end()}};
   }

@@ -21,9 +21,9 @@ SurfaceEdit of_mesh_light(const SurfaceEdit& edit) {
 }
 
 /// Converts the surface of a mesh light to that of an emissive mesh.
-grf::Surface seen_as_mesh(const Look& look) {
+grf::Surface as_mesh_surface(const FlatSurface& flat_surface) {
   grf::Surface surface;
-  surface.emission = look.colour;
+  surface.emission = flat_surface.colour;
   return surface;
 }
 
@@ -153,7 +153,7 @@ CommonSurface common_surface(const SceneObjects& objects, const FaceSelection& s
     for (std::size_t k = 0; k < has.size(); ++k) {
       if (!has[k]) continue;
       const grf::Surface& surface =
-          object.is_light ? seen_as_mesh(object.looks[k]) : object.mesh->surfaces[k];
+          object.is_light ? as_mesh_surface(object.flat_surfaces[k]) : object.mesh->surfaces[k];
       common.colour.meet(surface.colour, is_first);
       common.brdf.meet(surface.brdf, is_first);
       common.pdf.meet(surface.pdf, is_first);

@@ -14,8 +14,8 @@
 #include <QtConcurrent>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/notice_bar.h"
-#include "editor/controls/parts.h"
 #include "editor/controls/text.h"
 #include "editor/image/image_texts.h"
 #include "editor/image/scale_bar.h"
@@ -51,7 +51,7 @@ ImageBrowser::ImageBrowser(QWidget* parent)
       scale_bar_(new ScaleBar),
       notice_(new NoticeBar),
       values_(new QLabel),
-      figures_(new QLabel) {
+      statistics_(new QLabel) {
   setAcceptDrops(true);
   pane_->set_hint(tr("Drop an image here, open one, or render: exr, hdr, pfm, raw, png, jpg or tga."));
   connect(pane_, &ImagePane::hovered, this, &ImageBrowser::show_pixel);
@@ -85,16 +85,16 @@ void ImageBrowser::lay_out() {
   middle->addWidget(pane_, 1);
   middle->addWidget(scale_bar_);
   column->addLayout(middle, 1);
-  for (QLabel* line : {values_, figures_}) {
-    line->setContentsMargins(Grid, Grid / 2, Grid, line == figures_ ? Grid / 2 : 0);
+  for (QLabel* line : {values_, statistics_}) {
+    line->setContentsMargins(Grid, Grid / 2, Grid, line == statistics_ ? Grid / 2 : 0);
     line->setTextInteractionFlags(Qt::TextSelectableByMouse);
     line->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     column->addWidget(line);
   }
   values_->setAccessibleName(tr("Values of the pixel"));
   values_->setToolTip(tr("Linear values of the pixel under the pointer"));
-  figures_->setAccessibleName(tr("Image statistics"));
-  figures_->setToolTip(tr("Statistics of the whole image: its range and mean, or its error against B"));
+  statistics_->setAccessibleName(tr("Image statistics"));
+  statistics_->setToolTip(tr("Statistics of the whole image: its range and mean, or its error against B"));
 }
 
 // Images
@@ -142,7 +142,7 @@ void ImageBrowser::open_files(const QStringList& paths) {
 }
 
 void ImageBrowser::take_loaded(const LoadedImage& loaded) {
-  say(loaded.diagnostics);
+  show_diagnostics(loaded.diagnostics);
   if (!loaded.image) return;
   put({selection_.name_of(loaded.path), loaded.path, loaded.image}, true);
   emit opened(loaded.path);
@@ -167,7 +167,7 @@ void ImageBrowser::save_as(const QString& path) {
   run_aside(
       this, [image, exposure, path] { return save_image(image, exposure, path); },
       [this](const SavedImage& result) {
-        say(result.diagnostics);
+        show_diagnostics(result.diagnostics);
         if (result.is_written) emit saved(result.path);
       });
 }
@@ -195,10 +195,10 @@ ScreenSettings ImageBrowser::screen_settings() const {
   ScreenSettings settings = tools_->controls().settings();
   const bool is_difference = tools_->difference() && analysis_.difference;
   if (is_difference && analysis_.kind == Difference::Signed) settings.colouring = Colouring::Signed;
-  const ImageFigures& figures = is_difference ? analysis_.difference_figures : analysis_.figures;
-  if (figures.bright_luminance > 0) {
-    settings.least = figures.dark_luminance;
-    settings.largest = figures.bright_luminance;
+  const ImageStatistics& statistics = is_difference ? analysis_.difference_statistics : analysis_.statistics;
+  if (statistics.bright_luminance > 0) {
+    settings.least = statistics.dark_luminance;
+    settings.largest = statistics.bright_luminance;
   }
   return settings;
 }
@@ -248,7 +248,7 @@ void ImageBrowser::take_analysis(const ImageAnalysis& made) {
   is_analysing_ = false;
   analysis_ = made;
   show_on_pane();
-  figures_->setText(figures_text(made));
+  statistics_->setText(statistics_text(made));
   if (!is_current(made)) start_analysis();
 }
 
@@ -260,7 +260,7 @@ void ImageBrowser::show_pixel(const std::optional<QPoint>& pixel) {
                          : tr("Point at a pixel to read its values."));
 }
 
-void ImageBrowser::say(const grf::Diagnostics& diagnostics) {
+void ImageBrowser::show_diagnostics(const grf::Diagnostics& diagnostics) {
   if (diagnostics.entries().empty()) return notice_->hide();
   notice_->show_notice(NoticeBar::Kind::Error, text_of(diagnostics));
   emit reported(diagnostics);

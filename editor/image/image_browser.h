@@ -68,7 +68,7 @@ class ImageBrowser : public QWidget {
   bool is_current(const ImageAnalysis& made) const;
   ScreenSettings screen_settings() const;
   void show_pixel(const std::optional<QPoint>& pixel);
-  void say(const grf::Diagnostics& diagnostics);
+  void show_diagnostics(const grf::Diagnostics& diagnostics);
 
   ImageSelection selection_;
   ImageAnalysis analysis_;
@@ -80,7 +80,7 @@ class ImageBrowser : public QWidget {
   ScaleBar* scale_bar_;
   NoticeBar* notice_;
   QLabel* values_;
-  QLabel* figures_;
+  QLabel* statistics_;
 };
 
 }  // namespace editor

@@ -29,12 +29,12 @@ ImageAnalysis analysis_of(const SharedImage& image, const SharedImage& reference
   analysis.reference = reference;
   analysis.kind = kind;
   if (!image) return analysis;
-  analysis.figures = figures_of(*image);
+  analysis.statistics = statistics_of(*image);
   if (!reference || reference->width != image->width || reference->height != image->height) return analysis;
   analysis.error = transport::error_of(*image, *reference);
   if (!kind) return analysis;
   analysis.difference = std::make_shared<const transport::Image>(difference_of(*image, *reference, *kind));
-  analysis.difference_figures = figures_of(*analysis.difference);
+  analysis.difference_statistics = statistics_of(*analysis.difference);
   return analysis;
 }
 

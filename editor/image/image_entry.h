@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "editor/image/image_figures.h"
+#include "editor/image/image_statistics.h"
 #include "grf/diagnostics.h"
 #include "renderer/transport/image/image.h"
 #include "renderer/transport/image/image_error.h"
@@ -42,10 +42,10 @@ struct ImageAnalysis {
   SharedImage image;
   SharedImage reference;
   std::optional<Difference> kind;
-  ImageFigures figures;
+  ImageStatistics statistics;
   std::optional<transport::ImageError> error;
-  SharedImage difference;           ///< if a kind of difference was requested
-  ImageFigures difference_figures;  ///< of the difference
+  SharedImage difference;                 ///< if a kind of difference was requested
+  ImageStatistics difference_statistics;  ///< of the difference
 };
 
 /// Computes the statistics. The reference may be null or of another size: then there is no comparison.

@@ -131,7 +131,7 @@ void ImagePane::zoom_by(double factor, const QPointF& about) {
   const QPointF fixed = (about - view.topLeft() - origin_) / scale();
   set_zoom(std::clamp(zoom_ * factor, LeastZoom, LargestZoom));
   origin_ = about - view.topLeft() - fixed * scale();
-  keep_in_sight();
+  keep_in_view();
   tell_pixel();
   update();
 }
@@ -142,7 +142,7 @@ void ImagePane::move_by(const QPointF& offset) {
   if (!image_) return;
   fits_ = false;
   origin_ += offset;
-  keep_in_sight();
+  keep_in_view();
   tell_pixel();
   update();
 }
@@ -154,7 +154,7 @@ void ImagePane::set_zoom(double zoom) {
 }
 
 /// Keeps a strip of the image in the view.
-void ImagePane::keep_in_sight() {
+void ImagePane::keep_in_view() {
   constexpr double Strip = 4.0 * Grid;
   const QSizeF size = image_size() * scale();
   const QSizeF view = left_view().size();

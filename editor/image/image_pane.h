@@ -95,7 +95,7 @@ class ImagePane : public QWidget {
   bool is_near_wipe(const QPointF& place) const;
   bool shows_two_by(Arrangement arrangement) const;
   void set_zoom(double zoom);
-  void keep_in_sight();
+  void keep_in_view();
   void tell_pixel();
   void update_cursor();
   void draw(QPainter& painter, const SharedImage& image, const QRectF& view, const QRectF& clip,

@@ -32,7 +32,7 @@ ImageServer::ImageServer(QObject* parent) : QObject(parent), server_(new QTcpSer
 }
 
 quint16 ImageServer::usual_port() {
-  return QString::fromStdString(transport::usual_display_address().port).toUShort();
+  return QString::fromStdString(transport::default_display_address().port).toUShort();
 }
 
 bool ImageServer::listen(quint16 port) { return server_->listen(QHostAddress::LocalHost, port); }

@@ -33,13 +33,13 @@ QString error_text(const transport::ImageError& error) {
 
 }  // namespace
 
-QString figures_text(const ImageAnalysis& analysis) {
+QString statistics_text(const ImageAnalysis& analysis) {
   if (!analysis.image) return {};
-  const ImageFigures& figures = analysis.figures;
+  const ImageStatistics& statistics = analysis.statistics;
   QStringList parts = {tr("%1 x %2").arg(analysis.image->width).arg(analysis.image->height)};
-  if (figures.nan_pixels > 0) parts << tr("%1 NaN (magenta)").arg(figures.nan_pixels);
-  if (figures.infinite_pixels > 0) parts << tr("%1 infinite (cyan)").arg(figures.infinite_pixels);
-  if (figures.negative_pixels > 0) parts << tr("%1 negative").arg(figures.negative_pixels);
+  if (statistics.nan_pixels > 0) parts << tr("%1 NaN (magenta)").arg(statistics.nan_pixels);
+  if (statistics.infinite_pixels > 0) parts << tr("%1 infinite (cyan)").arg(statistics.infinite_pixels);
+  if (statistics.negative_pixels > 0) parts << tr("%1 negative").arg(statistics.negative_pixels);
   if (analysis.error) {
     parts << error_text(*analysis.error);
   } else if (analysis.reference) {

@@ -9,7 +9,7 @@
 namespace editor {
 
 /// Size, number of invalid pixels, and the error metrics against a reference.
-QString figures_text(const ImageAnalysis& analysis);
+QString statistics_text(const ImageAnalysis& analysis);
 
 /// Coordinates from the upper left corner, linear values, and luminance.
 QString pixel_text(const QPoint& pixel, const SharedImage& image, const SharedImage& reference);

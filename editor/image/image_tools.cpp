@@ -10,7 +10,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/image/image_selection.h"
 #include "editor/image/screen_controls.h"
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <optional>
 
-#include "editor/image/image_figures.h"
 #include "editor/image/image_pane.h"
+#include "editor/image/image_statistics.h"
 
 class QAction;
 class QComboBox;

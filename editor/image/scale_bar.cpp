@@ -44,13 +44,13 @@ std::vector<ScaleBar::Tick> ScaleBar::ticks() const {
   return ticks;
 }
 
-QColor ScaleBar::colour_at(double share) const {
+QColor ScaleBar::colour_at(double fraction) const {
   if (settings_.colouring == Colouring::Signed) {
-    const auto value = static_cast<float>((2 * share - 1) * colours_.scale().highest());
+    const auto value = static_cast<float>((2 * fraction - 1) * colours_.scale().highest());
     return colours_(reflectance::Rgb(value));
   }
   const plot::ColourScale& scale = colours_.scale();
-  return colours_.false_colour(scale.lowest() * std::pow(scale.highest() / scale.lowest(), share));
+  return colours_.false_colour(scale.lowest() * std::pow(scale.highest() / scale.lowest(), fraction));
 }
 
 void ScaleBar::paintEvent(QPaintEvent*) {
@@ -69,7 +69,7 @@ void ScaleBar::paintEvent(QPaintEvent*) {
   }
   painter.setPen(colours.text);
   for (const Tick& tick : ticks()) {
-    const double y = bar.bottom() - bar.height() * tick.share;
+    const double y = bar.bottom() - bar.height() * tick.fraction;
     painter.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 4, y));
     painter.drawText(QRectF(bar.right() + 6, y - text / 2.0, width() - bar.right() - 6, text),
                      Qt::AlignVCenter | Qt::AlignLeft, tick.label);

@@ -24,11 +24,11 @@ class ScaleBar : public QWidget {
 
  private:
   struct Tick {
-    double share;  ///< fraction of the height, from below
+    double fraction;  ///< fraction of the height, from below
     QString label;
   };
   std::vector<Tick> ticks() const;
-  QColor colour_at(double share) const;
+  QColor colour_at(double fraction) const;
 
   ScreenSettings settings_;
   ScreenColours colours_;

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
-#include "editor/controls/parts.h"
 #include "editor/controls/text.h"
 #include "editor/options/path_field.h"
 
@@ -230,7 +230,7 @@ struct FieldMaker {
   OptionField* operator()(const VectorOption& value) const {
     return numbers({value.minimum, Largest, false});
   }
-  OptionField* operator()(const PlaceOption&) const { return numbers({-Largest, Largest, false}); }
+  OptionField* operator()(const PointOption&) const { return numbers({-Largest, Largest, false}); }
   OptionField* operator()(const WordOption& value) const { return new WordField(option, value, parent); }
   OptionField* operator()(const ListOption& value) const { return new ListField(option, value, parent); }
   template <class Number, class Field>
@@ -272,7 +272,7 @@ struct LegalValues {
   QString operator()(const VectorOption& value) const {
     return value.minimum == 0 ? QObject::tr("three numbers, 0 or more") : QObject::tr("three numbers");
   }
-  QString operator()(const PlaceOption&) const { return QObject::tr("three numbers"); }
+  QString operator()(const PointOption&) const { return QObject::tr("three numbers"); }
   QString operator()(const WordOption&) const { return QObject::tr("one of the list"); }
   QString operator()(const ListOption&) const { return QObject::tr("any of these"); }
   template <class Number, class Field>

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 
 #include "editor/appearance/theme.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/search_terms.h"
 #include "editor/controls/text.h"
 #include "editor/options/option_field.h"

@@ -11,8 +11,8 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
-#include "editor/controls/parts.h"
 #include "editor/options/op_text_view.h"
 #include "editor/options/options_form.h"
 

@@ -8,7 +8,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/text.h"
 #include "editor/options/option_field.h"
 #include "editor/options/option_row.h"

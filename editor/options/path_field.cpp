@@ -9,7 +9,7 @@
 #include <QToolButton>
 
 #include "editor/appearance/theme.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/text.h"
 
 namespace editor {

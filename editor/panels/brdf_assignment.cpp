@@ -7,7 +7,7 @@
 
 #include "editor/document/brdf_mime.h"
 #include "editor/document/scene_places.h"
-#include "editor/panels/surface_facts.h"
+#include "editor/panels/selection_summary.h"
 #include "grf/write.h"
 
 namespace editor {
@@ -19,7 +19,7 @@ bool means_it(const std::string& name, const QMimeData& mime, const std::vector<
   return std::ranges::any_of(in_scope, [&](const PlacedDefinition& each) {
     const auto* brdf = std::get_if<grf::BrdfModel>(&each.definition->body);
     return brdf != nullptr && each.definition->name == name &&
-           grf::to_text(standing_alone(*brdf)) == mime.data(BrdfMimeType).toStdString();
+           grf::to_text(self_contained(*brdf)) == mime.data(BrdfMimeType).toStdString();
   });
 }
 

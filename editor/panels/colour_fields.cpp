@@ -3,8 +3,8 @@
 #include <QHBoxLayout>
 
 #include "editor/controls/colour_button.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
-#include "editor/controls/parts.h"
 
 namespace editor {
 

@@ -15,8 +15,8 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
-#include "editor/controls/parts.h"
 #include "editor/document/object_edits.h"
 #include "editor/panels/colour_fields.h"
 

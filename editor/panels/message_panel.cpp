@@ -9,7 +9,7 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/counted.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/document/definitions.h"
 #include "editor/document/scene_places.h"
 #include "editor/panels/message_list.h"
@@ -53,7 +53,7 @@ MessagePanel::MessagePanel(Document& document, grf::Catalogue catalogue, QWidget
   layout->addWidget(pages_, 1);
   connect(&check_, &SceneCheck::checked, this, &MessagePanel::show_all);
   connect(&document_, &Document::path_changed, this, [this] { show_diagnostics(document_.diagnostics()); });
-  connect(&document_, &Document::taken, this, [this] {
+  connect(&document_, &Document::scene_replaced, this, [this] {
     of_display_ = {};
     show_all();
   });

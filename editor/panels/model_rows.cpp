@@ -9,7 +9,7 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/brdf/parameter_rows.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/tab_order.h"
 #include "editor/document/definitions.h"
 #include "grf/keywords.h"
@@ -19,7 +19,7 @@ namespace editor {
 namespace {
 
 /// The kinds of list entries.
-enum class Choice { None, OnTheSpot, Named, Model };
+enum class Choice { None, Inline, Named, Model };
 
 constexpr int KindRole = Qt::UserRole;
 constexpr int NameRole = Qt::UserRole + 1;
@@ -46,12 +46,12 @@ void add_models(QComboBox* list, const std::vector<grf::ModelInfo>& models) {
   list->insertSeparator(list->count());
   for (const grf::ModelInfo& info : models) {
     // The others need more than a click: names, or a file.
-    if (info.takes != grf::ModelInfo::Takes::Parameters) continue;
+    if (info.argument_kind != grf::ModelInfo::ArgumentKind::Parameters) continue;
     const auto text = [](std::string_view words) {
       return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
     };
     add_choice(list, Choice::Model, QComboBox::tr("new %1").arg(text(info.keyword)), text(info.keyword),
-               QString("%1\n%2").arg(text(info.title), text(info.about)), icon("add"));
+               QString("%1\n%2").arg(text(info.title), text(info.description)), icon("add"));
   }
 }
 
@@ -85,10 +85,10 @@ BrdfRow::BrdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* p
   connect(choice_, &QComboBox::activated, this, &BrdfRow::choose);
 }
 
-void BrdfRow::show_facts(const SurfaceFacts& facts) {
-  common_ = facts.surface.brdf;
-  fill(facts);
-  const QString lit = why_not_reflecting(facts);
+void BrdfRow::show_summary(const SelectionSummary& summary) {
+  common_ = summary.surface.brdf;
+  fill(summary);
+  const QString lit = why_not_reflecting(summary);
   enable(choice_, tr("The BRDF of the faces: a named definition of the scene, or a new one"), lit);
   const bool has_one = !common_.is_mixed && common_.value.has_value();
   const bool is_named = has_one && std::holds_alternative<grf::Reference>(*common_.value);
@@ -103,7 +103,7 @@ void BrdfRow::show_facts(const SurfaceFacts& facts) {
          has_one || common_.is_mixed ? QString() : none);
 }
 
-void BrdfRow::fill(const SurfaceFacts& facts) {
+void BrdfRow::fill(const SelectionSummary& summary) {
   const QSignalBlocker blocker(choice_);
   choice_->clear();
   add_choice(choice_, Choice::None, tr("none"), {}, tr("Diffuse with kd = 0.5"));
@@ -112,10 +112,10 @@ void BrdfRow::fill(const SurfaceFacts& facts) {
   if (model != nullptr) {
     const QString text = QString::fromStdString(grf::to_text(*model));
     const bool is_known = grf::find_model(catalogue_.brdfs, model->keyword) != nullptr;
-    add_choice(choice_, Choice::OnTheSpot, text, {}, tr("Inline, only on these faces: %1").arg(text),
+    add_choice(choice_, Choice::Inline, text, {}, tr("Inline, only on these faces: %1").arg(text),
                icon(is_known ? "brdf" : "error"));
   }
-  for (const QString& name : facts.brdfs) {
+  for (const QString& name : summary.brdfs) {
     add_choice(choice_, Choice::Named, name, name, tr("The BRDF '%1' of the scene").arg(name), icon("brdf"));
   }
   add_models(choice_, catalogue_.brdfs);
@@ -123,7 +123,7 @@ void BrdfRow::fill(const SurfaceFacts& facts) {
   if (common_.is_mixed) {
     choice_->setCurrentIndex(-1);
   } else if (model != nullptr) {
-    select_choice(choice_, Choice::OnTheSpot, {});
+    select_choice(choice_, Choice::Inline, {});
   } else if (common_.value) {
     const std::string& name = std::get<grf::Reference>(*common_.value).name;
     select_choice(choice_, Choice::Named, QString::fromStdString(name));
@@ -190,12 +190,12 @@ PdfRow::PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* par
   connect(parameters_, &ParameterRows::edited, this, &PdfRow::edit_parameters);
 }
 
-void PdfRow::show_facts(const SurfaceFacts& facts) {
+void PdfRow::show_summary(const SelectionSummary& summary) {
   show_problem(problem_, {});
-  fill(facts);
-  const QString lit = why_not_reflecting(facts);
+  fill(summary);
+  const QString lit = why_not_reflecting(summary);
   enable(choice_, tr("How reflected directions are sampled; by default, with the BRDF's own scheme"), lit);
-  const auto& common = facts.surface.pdf;
+  const auto& common = summary.surface.pdf;
   const grf::PdfModel* model = nullptr;
   if (common.value && !common.is_mixed) model = std::get_if<grf::PdfModel>(&*common.value);
   model_ = model == nullptr ? std::nullopt : std::optional(*model);
@@ -204,13 +204,13 @@ void PdfRow::show_facts(const SurfaceFacts& facts) {
          common.is_mixed || common.value ? QString() : tr("The faces have no sampling scheme of their own."));
 }
 
-void PdfRow::fill(const SurfaceFacts& facts) {
+void PdfRow::fill(const SelectionSummary& summary) {
   const QSignalBlocker blocker(choice_);
-  const auto& common = facts.surface.pdf;
+  const auto& common = summary.surface.pdf;
   choice_->clear();
   add_choice(choice_, Choice::None, tr("BRDF default"), {},
              tr("Each BRDF is sampled with its default scheme"));
-  for (const QString& name : facts.pdfs) {
+  for (const QString& name : summary.pdfs) {
     add_choice(choice_, Choice::Named, name, name, tr("The scheme '%1' of the scene").arg(name), icon("pdf"));
   }
   add_models(choice_, catalogue_.pdfs);
@@ -234,9 +234,9 @@ void PdfRow::select_model(const grf::PdfModel& model) {
   const grf::ModelInfo* info = grf::find_model(catalogue_.pdfs, model.keyword);
   if (info == nullptr) {
     const QString keyword = QString::fromStdString(model.keyword);
-    add_choice(choice_, Choice::OnTheSpot, tr("%1 (unknown)").arg(keyword), {},
+    add_choice(choice_, Choice::Inline, tr("%1 (unknown)").arg(keyword), {},
                tr("Unknown sampling scheme '%1'").arg(keyword), icon("error"));
-    return select_choice(choice_, Choice::OnTheSpot, {});
+    return select_choice(choice_, Choice::Inline, {});
   }
   const QString keyword = QString::fromStdString(std::string(info->keyword));
   select_choice(choice_, Choice::Model, keyword);

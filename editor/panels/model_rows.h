@@ -21,7 +21,7 @@ class BrdfRow : public SurfaceRow {
 
  public:
   BrdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts) override;
+  void show_summary(const SelectionSummary& summary) override;
 
  signals:
   void edit_requested();
@@ -29,7 +29,7 @@ class BrdfRow : public SurfaceRow {
   void problem_found(const QString& problem);
 
  private:
-  void fill(const SurfaceFacts& facts);
+  void fill(const SelectionSummary& summary);
   void choose(int index);
   void assign(const QString& text, const AttributeEdit<grf::BrdfAttribute>& brdf);
   void define_common();
@@ -49,10 +49,10 @@ class PdfRow : public SurfaceRow {
 
  public:
   PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts) override;
+  void show_summary(const SelectionSummary& summary) override;
 
  private:
-  void fill(const SurfaceFacts& facts);
+  void fill(const SelectionSummary& summary);
   /// Selects a scheme; one that is unknown or has invalid values is shown as such.
   void select_model(const grf::PdfModel& model);
   void choose(int index);

@@ -106,7 +106,7 @@ class Builder {
   }
 
   void add(const grf::Shared<grf::Mesh>& mesh, SceneEntry& parent) {
-    parent.add(entry(Kind::Mesh, line_name_of(*mesh), face_count(*mesh), tr("A mesh")));
+    parent.add(entry(Kind::Mesh, display_name_of(*mesh), face_count(*mesh), tr("A mesh")));
   }
   void add(const grf::MeshLight& light, SceneEntry& parent) {
     parent.add(
@@ -163,14 +163,16 @@ class Builder {
     static constexpr std::array Kinds = {Kind::Colour, Kind::Brdf, Kind::Pdf, Kind::Texture,
                                          Kind::DefinedMesh};
     const Kind kind = Kinds[definition.body.index()];
-    definitions_[kind].push_back(
-        entry(kind, name, detail, std::visit([](const auto& body) { return about(body); }, definition.body)));
+    definitions_[kind].push_back(entry(
+        kind, name, detail, std::visit([](const auto& body) { return description(body); }, definition.body)));
   }
-  static QString about(const grf::Colour& colour) { return tr("Colour %1").arg(text_of(colour)); }
-  static QString about(const grf::BrdfModel& brdf) { return QString::fromStdString(grf::to_text(brdf)); }
-  static QString about(const grf::PdfModel& pdf) { return QString::fromStdString(grf::to_text(pdf)); }
-  static QString about(const grf::Texture& texture) { return QString::fromStdString(texture.file); }
-  static QString about(const grf::Shared<grf::Mesh>& mesh) { return face_count(*mesh); }
+  static QString description(const grf::Colour& colour) { return tr("Colour %1").arg(text_of(colour)); }
+  static QString description(const grf::BrdfModel& brdf) {
+    return QString::fromStdString(grf::to_text(brdf));
+  }
+  static QString description(const grf::PdfModel& pdf) { return QString::fromStdString(grf::to_text(pdf)); }
+  static QString description(const grf::Texture& texture) { return QString::fromStdString(texture.file); }
+  static QString description(const grf::Shared<grf::Mesh>& mesh) { return face_count(*mesh); }
 
   const Document& document_;
   std::unordered_map<const grf::Definition*, std::size_t> uses_;
@@ -200,7 +202,7 @@ void SceneEntry::number_children() {
   }
 }
 
-QString line_name_of(const grf::Mesh& mesh) {
+QString display_name_of(const grf::Mesh& mesh) {
   return mesh.name.empty() ? tr("mesh") : QString::fromStdString(mesh.name);
 }
 

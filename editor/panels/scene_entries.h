@@ -56,7 +56,7 @@ struct SceneEntry {
 std::unique_ptr<SceneEntry> entries_of(const Document& document);
 
 /// The display name of a mesh.
-QString line_name_of(const grf::Mesh& mesh);
+QString display_name_of(const grf::Mesh& mesh);
 /// Summarises the contents of a transform: the name of its only object, however deep, or the number of
 /// objects.
 QString contents_of(const SceneEntry& transform);

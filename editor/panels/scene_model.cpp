@@ -170,7 +170,7 @@ void SceneModel::update_names(const Change& change) {
   for (const std::uint32_t mesh : change.meshes) are_changed[mesh] = true;
   for_each_entry(*root_, [&](SceneEntry& line) {
     if (line.kind != SceneEntry::Kind::Mesh || !line.mesh || !are_changed[*line.mesh]) return true;
-    line.name = line_name_of(*meshes[*line.mesh].mesh);
+    line.name = display_name_of(*meshes[*line.mesh].mesh);
     emit dataChanged(index_of(line), index_of(line));
     for (SceneEntry* around = line.parent; around->kind != SceneEntry::Kind::Group; around = around->parent) {
       if (around->kind != SceneEntry::Kind::Transform) continue;

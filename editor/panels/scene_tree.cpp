@@ -11,7 +11,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/document/definitions.h"
 #include "editor/document/light_edits.h"
 #include "editor/document/object_edits.h"

@@ -15,7 +15,7 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/counted.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/document/brdf_mime.h"
 #include "editor/document/scene_places.h"
 #include "editor/panels/brdf_assignment.h"
@@ -129,13 +129,13 @@ QWidget* SurfacePanel::make_rows() {
 }
 
 void SurfacePanel::show_selection() {
-  const SurfaceFacts facts = facts_of(document_);
-  pages_->setCurrentIndex(facts.faces == 0 ? 0 : 1);
+  const SelectionSummary summary = summary_of(document_);
+  pages_->setCurrentIndex(summary.faces == 0 ? 0 : 1);
   report({});
-  if (facts.faces == 0) return;
-  count_->setText(counted(facts.faces, tr("1 face selected"), tr("%1 faces selected")));
-  area_->setText(area_text(facts.area));
-  for (SurfaceRow* row : rows_) row->show_facts(facts);
+  if (summary.faces == 0) return;
+  count_->setText(counted(summary.faces, tr("1 face selected"), tr("%1 faces selected")));
+  area_->setText(area_text(summary.area));
+  for (SurfaceRow* row : rows_) row->show_summary(summary);
 }
 
 void SurfacePanel::report(const QString& problem) { show_problem(problem_, problem); }
@@ -147,7 +147,7 @@ void SurfacePanel::take_from(FaceId face) {
   grf::Surface surface = from.mesh->surface(face.face);
   if (from.is_light) {
     surface = {};
-    surface.emission = from.looks[(*from.mesh->surface_of_face)[face.face]].colour;
+    surface.emission = from.flat_surfaces[(*from.mesh->surface_of_face)[face.face]].colour;
   }
   write_out(surface.colour, there, here);
   write_out(surface.brdf, there, here);

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "editor/panels/surface_facts.h"
+#include "editor/panels/selection_summary.h"
 
 namespace editor {
 
@@ -11,8 +11,8 @@ class SurfaceRow : public QWidget {
  public:
   SurfaceRow(Document& document, QWidget* parent) : QWidget(parent), document_(document) {}
 
-  virtual void show_facts(const SurfaceFacts& facts) = 0;
-  /// What the row's label leads to.
+  virtual void show_summary(const SelectionSummary& summary) = 0;
+  /// The target of the link in the row's label.
   QWidget* field() const { return field_; }
 
  protected:

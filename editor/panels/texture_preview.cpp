@@ -17,8 +17,8 @@ SmallImage read_small(const QString& path, const std::stop_token& stop) {
   grf::Diagnostics diagnostics;
   std::optional<transport::Image> image = ImageProcess().read(path.toStdString(), diagnostics, {}, stop);
   if (!image) {
-    const bool is_told = diagnostics.error_count() > 0;
-    return {{}, is_told ? QString::fromStdString(diagnostics.entries().front().message) : QString()};
+    const bool has_error = diagnostics.error_count() > 0;
+    return {{}, has_error ? QString::fromStdString(diagnostics.entries().front().message) : QString()};
   }
   constexpr int Largest = 512;
   while (std::max(image->width, image->height) > Largest) image = transport::halved(*image);

@@ -13,7 +13,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/panels/texture_preview.h"
 
 namespace editor {
@@ -26,7 +26,7 @@ QString first_image(const Document& document) {
     if (selection.count(i) == 0) continue;
     const MeshObject& object = document.objects().meshes[i];
     const std::size_t first = selection.of_mesh(i).find_first();
-    return QString::fromStdString(object.looks[(*object.mesh->surface_of_face)[first]].texture);
+    return QString::fromStdString(object.flat_surfaces[(*object.mesh->surface_of_face)[first]].texture);
   }
   return {};
 }
@@ -64,10 +64,10 @@ TextureRow::TextureRow(Document& document, QWidget* parent)
   connect(choice_->lineEdit(), &QLineEdit::editingFinished, this, &TextureRow::take_text);
 }
 
-void TextureRow::show_facts(const SurfaceFacts& facts) {
-  const auto& common = facts.surface.texture;
+void TextureRow::show_summary(const SelectionSummary& summary) {
+  const auto& common = summary.surface.texture;
   const QSignalBlocker blocker(choice_);
-  names_ = facts.textures;
+  names_ = summary.textures;
   choice_->clear();
   for (const QString& name : names_) choice_->addItem(icon("texture"), name);
   choice_->setCurrentIndex(-1);
@@ -92,7 +92,7 @@ void TextureRow::show_facts(const SurfaceFacts& facts) {
           ? tr("The faces have no texture coordinates (UVs): all of them show the same point of the image.")
           : QString());
   preview_->show_outlines(std::move(outlines));
-  const QString lit = why_not_reflecting(facts);
+  const QString lit = why_not_reflecting(summary);
   enable(choice_, tr("Image texture that multiplies the colour: a texture of the scene, or a file name"),
          lit);
   browse_->setEnabled(lit.isEmpty());

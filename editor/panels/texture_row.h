@@ -16,7 +16,7 @@ class TextureRow : public SurfaceRow {
 
  public:
   explicit TextureRow(Document& document, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts) override;
+  void show_summary(const SelectionSummary& summary) override;
 
   /// Assigns an image file to the selected faces.
   void assign_file(const QString& path);

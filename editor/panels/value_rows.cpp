@@ -11,8 +11,8 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
-#include "editor/controls/parts.h"
 #include "editor/document/light_edits.h"
 #include "editor/panels/colour_fields.h"
 
@@ -58,13 +58,13 @@ ColourRow::ColourRow(Document& document, QWidget* parent)
   connect(fields_, &ColourFields::finished, this, [this] { document_.finish_gesture(); });
 }
 
-void ColourRow::show_facts(const SurfaceFacts& facts) {
-  const auto& common = facts.surface.colour;
+void ColourRow::show_summary(const SelectionSummary& summary) {
+  const auto& common = summary.surface.colour;
   const QSignalBlocker blocker(choice_);
   choice_->clear();
   choice_->addItem(tr("RGB values"));
-  for (const QString& name : facts.colours) choice_->addItem(icon("colour"), name, name);
-  choice_->setVisible(!facts.colours.isEmpty());
+  for (const QString& name : summary.colours) choice_->addItem(icon("colour"), name, name);
+  choice_->setVisible(!summary.colours.isEmpty());
   const auto* reference =
       common.value && !common.is_mixed ? std::get_if<grf::Reference>(&*common.value) : nullptr;
   if (reference != nullptr)
@@ -72,14 +72,14 @@ void ColourRow::show_facts(const SurfaceFacts& facts) {
   std::optional<grf::Colour> colour;
   if (reference != nullptr) {
     const auto& objects = document_.objects();
-    const auto mesh = objects.mesh_at(facts.meshes.front());
+    const auto mesh = objects.mesh_at(summary.meshes.front());
     const std::size_t face = document_.selection().of_mesh(*mesh).find_first();
-    colour = objects.meshes[*mesh].looks[(*objects.meshes[*mesh].mesh->surface_of_face)[face]].colour;
+    colour = objects.meshes[*mesh].flat_surfaces[(*objects.meshes[*mesh].mesh->surface_of_face)[face]].colour;
   } else if (common.value) {
     colour = std::get<grf::Colour>(*common.value);
   }
   show_common(fields_, common.is_mixed, colour);
-  const QString lit = why_not_reflecting(facts);
+  const QString lit = why_not_reflecting(summary);
   fields_->setEnabled(lit.isEmpty());
   choice_->setEnabled(lit.isEmpty());
   enable(reset_, tr("Reset to the default colour: white"),
@@ -141,17 +141,17 @@ EmissionRow::EmissionRow(Document& document, QWidget* parent) : SurfaceRow(docum
   connect(radiance_, &ColourFields::finished, this, finish);
 }
 
-void EmissionRow::show_facts(const SurfaceFacts& facts) {
-  const auto& common = facts.surface.emission;
+void EmissionRow::show_summary(const SelectionSummary& summary) {
+  const auto& common = summary.surface.emission;
   show_common(radiance_, common.is_mixed, common.value);
   if (common.is_mixed) {
     power_->set_mixed();
   } else if (common.value) {
-    power_->set_value(power_of(*common.value, facts.area));
+    power_->set_value(power_of(*common.value, summary.area));
   } else {
     power_->set_blank(tr("none"));
   }
-  power_->setEnabled(facts.area > 0);
+  power_->setEnabled(summary.area > 0);
   enable(reset_, tr("Remove the emission: the faces emit no light"),
          common.is_mixed || common.value ? QString() : tr("The faces emit no light."));
 }
@@ -179,9 +179,9 @@ VertexRow::VertexRow(Document& document, Kind kind, QWidget* parent)
   connect(fields_, &ColourFields::finished, this, [this] { document_.finish_gesture(); });
 }
 
-void VertexRow::show_facts(const SurfaceFacts& facts) {
+void VertexRow::show_summary(const SelectionSummary& summary) {
   const bool is_colour = kind_ == Kind::Colour;
-  const auto& common = is_colour ? facts.vertices.colour : facts.vertices.irradiance;
+  const auto& common = is_colour ? summary.vertices.colour : summary.vertices.irradiance;
   show_common(fields_, common.is_mixed, common.value);
   const QString none =
       is_colour ? tr("The vertices have no colours.") : tr("The vertices have no irradiance.");
@@ -221,10 +221,10 @@ NormalsRow::NormalsRow(Document& document, QWidget* parent)
       [this] { apply(Change::Flip); }, this));
 }
 
-void NormalsRow::show_facts(const SurfaceFacts& facts) {
-  state_->setText(facts.vertices.have_normals ? tr("smooth") : tr("flat"));
-  state_->setToolTip(facts.vertices.have_normals ? tr("The faces have vertex normals")
-                                                 : tr("The faces have no vertex normals"));
+void NormalsRow::show_summary(const SelectionSummary& summary) {
+  state_->setText(summary.vertices.have_normals ? tr("smooth") : tr("flat"));
+  state_->setToolTip(summary.vertices.have_normals ? tr("The faces have vertex normals")
+                                                   : tr("The faces have no vertex normals"));
 }
 
 void NormalsRow::apply(Change change) {

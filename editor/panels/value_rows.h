@@ -18,7 +18,7 @@ class ColourRow : public SurfaceRow {
 
  public:
   explicit ColourRow(Document& document, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts) override;
+  void show_summary(const SelectionSummary& summary) override;
 
  private:
   void choose(int index);
@@ -35,7 +35,7 @@ class EmissionRow : public SurfaceRow {
 
  public:
   explicit EmissionRow(Document& document, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts) override;
+  void show_summary(const SelectionSummary& summary) override;
 
  private:
   ColourFields* radiance_;
@@ -51,7 +51,7 @@ class VertexRow : public SurfaceRow {
   enum class Kind { Colour, Irradiance };
 
   VertexRow(Document& document, Kind kind, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts) override;
+  void show_summary(const SelectionSummary& summary) override;
 
  signals:
   void bake_requested();
@@ -71,7 +71,7 @@ class NormalsRow : public SurfaceRow {
 
  public:
   explicit NormalsRow(Document& document, QWidget* parent = nullptr);
-  void show_facts(const SurfaceFacts& facts) override;
+  void show_summary(const SelectionSummary& summary) override;
 
  private:
   enum class Change { Smooth, Flat, Flip };

@@ -17,23 +17,23 @@ constexpr bool LimitsMemory = true;
 #endif
 
 /// Runs in the child before the program starts.
-void prepare_child(const ChildManners& manners) {
-  static_cast<void>(::nice(manners.niceness));
+void prepare_child(const ChildSettings& settings) {
+  static_cast<void>(::nice(settings.niceness));
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   const rlimit none = {0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
-  if (manners.output >= 0) ::dup2(manners.output, STDOUT_FILENO);
-  if (manners.errors >= 0) ::dup2(manners.errors, STDERR_FILENO);
-  if (manners.memory == 0) return;
-  const rlimit memory = {manners.memory, manners.memory};
+  if (settings.output >= 0) ::dup2(settings.output, STDOUT_FILENO);
+  if (settings.errors >= 0) ::dup2(settings.errors, STDERR_FILENO);
+  if (settings.memory == 0) return;
+  const rlimit memory = {settings.memory, settings.memory};
   ::setrlimit(RLIMIT_FSIZE, &memory);
   if (LimitsMemory) ::setrlimit(RLIMIT_AS, &memory);
 }
 
 }  // namespace
 
-ChildProcess::ChildProcess(const ChildManners& manners, QObject* parent)
-    : QObject(parent), manners_(manners) {
+ChildProcess::ChildProcess(const ChildSettings& settings, QObject* parent)
+    : QObject(parent), settings_(settings) {
   deadline_.setSingleShot(true);
   connect(&deadline_, &QTimer::timeout, &process_, &QProcess::kill);
   connect(&process_, &QProcess::started, this, [this] {
@@ -47,7 +47,7 @@ ChildProcess::ChildProcess(const ChildManners& manners, QObject* parent)
     deadline_.stop();
     emit ended({ChildEnd::Cause::NotStarted, 0, process_.errorString()});
   });
-  process_.setChildProcessModifier([manners] { prepare_child(manners); });
+  process_.setChildProcessModifier([settings] { prepare_child(settings); });
 }
 
 ChildProcess::~ChildProcess() {
@@ -66,14 +66,14 @@ void ChildProcess::interrupt() { ask_to_end(SIGINT); }
 void ChildProcess::cancel() {
   if (!is_running()) return;
   ask_to_end(SIGTERM);
-  deadline_.start(manners_.patience);
+  deadline_.start(settings_.terminate_timeout);
 }
 
 void ChildProcess::finish() {
   if (!is_running()) return;
   cancel();
-  if (process_.state() == QProcess::Starting) process_.waitForStarted(manners_.patience);
-  if (process_.waitForFinished(manners_.patience)) return;
+  if (process_.state() == QProcess::Starting) process_.waitForStarted(settings_.terminate_timeout);
+  if (process_.waitForFinished(settings_.terminate_timeout)) return;
   process_.kill();
   process_.waitForFinished();
 }

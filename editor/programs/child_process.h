@@ -11,9 +11,9 @@
 namespace editor {
 
 /// Priority and resource limits of a child process.
-struct ChildManners {
-  int niceness = 0;     ///< see nice(2): above 0, the editor's window has priority
-  int patience = 2000;  ///< timeout after SIGTERM, milliseconds
+struct ChildSettings {
+  int niceness = 0;              ///< see nice(2): above 0, the editor's window has priority
+  int terminate_timeout = 2000;  ///< timeout after SIGTERM, milliseconds
   /// Limit of address space, which sanitizers ignore, and of each written file, bytes; 0: no limit.
   std::uint64_t memory = 0;
   /// File descriptors that become its standard output and error; -1: they are read here.
@@ -35,7 +35,7 @@ class ChildProcess : public QObject {
   Q_OBJECT
 
  public:
-  explicit ChildProcess(const ChildManners& manners = {}, QObject* parent = nullptr);
+  explicit ChildProcess(const ChildSettings& settings = {}, QObject* parent = nullptr);
   /// Cancels a running child and waits for it; no signal follows.
   ~ChildProcess() override;
 
@@ -64,7 +64,7 @@ class ChildProcess : public QObject {
   void read_lines(bool are_last);
   void end(int code, QProcess::ExitStatus status);
 
-  const ChildManners manners_;
+  const ChildSettings settings_;
   QProcess process_;
   QTimer deadline_;  // of a child that was cancelled
   int asked_ = 0;    // the signal that asked it to end

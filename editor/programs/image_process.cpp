@@ -64,11 +64,11 @@ ImageProcess::Result ImageProcess::decode(const QString& path, const std::stop_t
   QFile output;
   QFile errors;
   if (!open_memory(output) || !open_memory(errors)) return {{}, tr("cannot read the image: out of memory")};
-  ChildManners manners;
-  manners.memory = limits_.memory;
-  manners.output = output.handle();
-  manners.errors = errors.handle();
-  ChildProcess process(manners);
+  ChildSettings settings;
+  settings.memory = limits_.memory;
+  settings.output = output.handle();
+  settings.errors = errors.handle();
+  ChildProcess process(settings);
   std::optional<ChildEnd> end;
   QObject::connect(&process, &ChildProcess::ended, [&](const ChildEnd& ended) { end = ended; });
   QElapsedTimer clock;

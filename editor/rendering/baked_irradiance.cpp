@@ -43,7 +43,7 @@ class IncludeKeeper {
         blocks.push_back(std::move(block));
         continue;
       }
-      ++dissolved_;
+      ++expanded_;
       grf::Scene part;
       part.contents.blocks.push_back(std::move(block));
       part = grf::flatten(part, naming_file);
@@ -51,7 +51,7 @@ class IncludeKeeper {
     }
     list.blocks = std::move(blocks);
   }
-  std::size_t dissolved() const { return dissolved_; }
+  std::size_t expanded_includes() const { return expanded_; }
 
  private:
   /// Whether the include has to be replaced by its blocks.
@@ -67,7 +67,7 @@ class IncludeKeeper {
   }
 
   const std::map<std::string, std::size_t> counts_;
-  std::size_t dissolved_ = 0;
+  std::size_t expanded_ = 0;
 };
 
 }  // namespace
@@ -84,7 +84,7 @@ BakedIrradiance::BakedIrradiance(const grf::Scene& snapshot, const grf::Scene& b
   grf::SceneVisitor match;
   match.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
     if (next < irradiances.size()) {
-      places_.emplace(key_of(mesh, placement.to_world), Arriving{mesh.geometry, irradiances[next]});
+      places_.emplace(key_of(mesh, placement.to_world), BakedMesh{mesh.geometry, irradiances[next]});
     }
     ++next;
   };
@@ -103,14 +103,14 @@ IrradiatedScene BakedIrradiance::applied_to(grf::Scene scene, const std::string&
   const auto arriving = [&](const grf::Mesh& mesh,
                             const grf::Matrix44d& to_world) -> std::optional<grf::VertexIrradiance> {
     const auto place = places_.find(key_of(mesh, to_world));
-    ++(place == places_.end() ? result.left_alone : result.meshes);
+    ++(place == places_.end() ? result.skipped : result.meshes);
     if (place == places_.end()) return std::nullopt;
     return *place->second.irradiance;
   };
   IncludeKeeper includes(scene);
   result.scene = transport::with_irradiance(std::move(scene), arriving).scene;
   includes.keep(result.scene.contents, path);
-  result.dissolved = includes.dissolved();
+  result.expanded_includes = includes.expanded_includes();
   if (result.meshes > 0 && !observers_.empty() && grf::observers_of(result.scene).empty()) {
     outermost_blocks(result.scene).blocks.emplace_back().content = grf::Params{observers_};
   }

@@ -13,9 +13,9 @@ namespace editor {
 /// A scene after baked irradiance was applied.
 struct IrradiatedScene {
   grf::Scene scene;
-  std::size_t meshes = 0;      ///< number of mesh instances that received irradiance
-  std::size_t left_alone = 0;  ///< number of mesh instances that differ from the baked ones
-  std::size_t dissolved = 0;   ///< number of includes that were replaced by their blocks
+  std::size_t meshes = 0;             ///< number of mesh instances that received irradiance
+  std::size_t skipped = 0;            ///< number of mesh instances that differ from the baked ones
+  std::size_t expanded_includes = 0;  ///< number of includes that were replaced by their blocks
 };
 
 /// Holds the irradiance that a bake computed for a snapshot, to be applied to the current scene.
@@ -37,14 +37,14 @@ class BakedIrradiance {
  private:
   /// A mesh instance: its geometry, which the value keeps alive, and the matrix to world space.
   using Key = std::pair<const grf::Geometry*, std::array<double, 16>>;
-  struct Arriving {
+  struct BakedMesh {
     grf::SharedGeometry geometry;
     grf::Shared<grf::VertexIrradiance> irradiance;
   };
 
   static Key key_of(const grf::Mesh& mesh, const grf::Matrix44d& to_world);
 
-  std::map<Key, Arriving> places_;
+  std::map<Key, BakedMesh> places_;
   std::vector<grf::Vec3f> observers_;
 };
 

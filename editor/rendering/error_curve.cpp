@@ -6,7 +6,7 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/charts/chart_painter.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "renderer/plot/chart.h"
 
 namespace editor {

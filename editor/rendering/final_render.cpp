@@ -15,7 +15,7 @@
 namespace editor {
 FinalRender::FinalRender(QString program, QObject* parent) : QObject(parent), process_(std::move(program)) {
   connect(&writing_, &QFutureWatcher<Files>::finished, this, [this] { run(writing_.result()); });
-  connect(&reading_, &QFutureWatcher<Left>::finished, this, &FinalRender::finish);
+  connect(&reading_, &QFutureWatcher<Outcome>::finished, this, &FinalRender::finish);
   connect(&process_, &RendererProcess::reported, this, &FinalRender::read);
   connect(&process_, &RendererProcess::logged, this, &FinalRender::logged);
   connect(&process_, &RendererProcess::ended, this, &FinalRender::end);
@@ -37,8 +37,8 @@ QString FinalRender::output_of(const FinalRenderRequest& request) const {
   return QDir(scene.absolutePath()).filePath(scene.completeBaseName() + ".exr");
 }
 
-bool FinalRender::is_foreign(const QString& output) const {
-  return QFileInfo::exists(output) && !made_.contains(output);
+bool FinalRender::is_from_other_session(const QString& output) const {
+  return QFileInfo::exists(output) && !rendered_.contains(output);
 }
 
 bool FinalRender::lock_output() {
@@ -59,7 +59,7 @@ void FinalRender::start(FinalRenderRequest request) {
   if (!environment.empty() && grf::canonical_path(environment) == grf::canonical_path(output_.toStdString()))
     return emit failed(
         tr("the output %1 is the scene's environment map: choose another output").arg(output_));
-  if (!request.may_replace && is_foreign(output_))
+  if (!request.may_overwrite && is_from_other_session(output_))
     return emit failed(
         tr("%1 exists and was not rendered in this session: choose another output").arg(output_));
   if (!lock_output())
@@ -112,7 +112,7 @@ void FinalRender::end(const RendererEnd& end) {
     return give_up(end.is_interrupted ? tr("stopped before the first image")
                                       : tr("the renderer wrote no image"));
   }
-  made_.insert(output_);
+  rendered_.insert(output_);
   FinalRenderResult result;
   result.image = output_;
   result.summary = *summary_;
@@ -122,20 +122,20 @@ void FinalRender::end(const RendererEnd& end) {
 }
 
 /// Keeps a hard link, at no cost: the renderer replaces files instead of writing into them.
-FinalRender::Left FinalRender::read_result(FinalRenderResult result, const QString& copy) {
+FinalRender::Outcome FinalRender::read_result(FinalRenderResult result, const QString& copy) {
   const bool is_kept =
       ::link(QFile::encodeName(result.image).constData(), QFile::encodeName(copy).constData()) == 0 ||
       QFile::copy(result.image, copy);
   result.copy = is_kept ? copy : result.image;
-  grf::Diagnostics unheard;  // the renderer has just written it
-  Left left = {std::move(result), nullptr};
-  auto image = transport::read_image(left.result.image.toStdString(), unheard);
+  grf::Diagnostics ignored_diagnostics;  // the renderer has just written it
+  Outcome left = {std::move(result), nullptr};
+  auto image = transport::read_image(left.result.image.toStdString(), ignored_diagnostics);
   if (image) left.image = std::make_shared<const transport::Image>(std::move(*image));
   return left;
 }
 
 void FinalRender::finish() {
-  const Left left = reading_.result();
+  const Outcome left = reading_.result();
   is_running_ = false;
   lock_.reset();
   if (left.image) emit image_changed(left.image);

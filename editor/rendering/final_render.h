@@ -24,8 +24,8 @@ struct FinalRenderRequest {
   grf::Scene scene;
   QString path;  ///< of the scene's file; empty if it has none
   options::RenderOptions options;
-  ImportFolders imports;     ///< folders with images that the scene uses
-  bool may_replace = false;  ///< whether to overwrite an image of another session
+  ImportFolders imports;       ///< folders with images that the scene uses
+  bool may_overwrite = false;  ///< whether to overwrite an image of another session
 };
 
 /// The result of a final render.
@@ -52,7 +52,7 @@ class FinalRender : public QObject {
   /// temporary folder.
   QString output_of(const FinalRenderRequest& request) const;
   /// Whether the output exists and was not rendered in this session.
-  bool is_foreign(const QString& output) const;
+  bool is_from_other_session(const QString& output) const;
   /// Renders to the request's output. `failed` reports why it cannot start.
   void start(FinalRenderRequest request);
   /// Stops the render; the image is kept and marked as stopped.
@@ -83,12 +83,12 @@ class FinalRender : public QObject {
   };
 
   /// The result and its image; null if it cannot be read.
-  struct Left {
+  struct Outcome {
     FinalRenderResult result;
     std::shared_ptr<const transport::Image> image;
   };
 
-  static Left read_result(FinalRenderResult result, const QString& copy);
+  static Outcome read_result(FinalRenderResult result, const QString& copy);
   bool lock_output();
   void run(const Files& files);
   void read(const QByteArray& line);
@@ -102,10 +102,10 @@ class FinalRender : public QObject {
   bool is_running_ = false;
   bool is_stopped_ = false;
   QString output_;
-  QSet<QString> made_;  ///< images rendered in this session
+  QSet<QString> rendered_;  ///< images rendered in this session
   std::unique_ptr<QLockFile> lock_;
   QFutureWatcher<Files> writing_;
-  QFutureWatcher<Left> reading_;
+  QFutureWatcher<Outcome> reading_;
   RendererProcess process_;
   std::optional<RenderSummary> summary_;
 };

@@ -9,7 +9,7 @@ using job::PreviewState;
 namespace {
 
 /// Time limit for the first image of an outdated request, after which it is abandoned.
-constexpr std::chrono::milliseconds Patience(400);
+constexpr std::chrono::milliseconds AbandonDelay(400);
 
 }  // namespace
 
@@ -19,20 +19,20 @@ Preview::Preview(QObject* parent, const ImageProcess& images)
                                    const grf::SourceLocation& asked_for_at, const std::stop_token& stop) {
         return images.read(path, diagnostics, asked_for_at, stop);
       }) {
-  patience_.setSingleShot(true);
-  patience_.setInterval(Patience);
-  connect(&patience_, &QTimer::timeout, this, &Preview::start_waiting);
+  abandon_timer_.setSingleShot(true);
+  abandon_timer_.setInterval(AbandonDelay);
+  connect(&abandon_timer_, &QTimer::timeout, this, &Preview::start_waiting);
 }
 
 // Callbacks from the render thread, which pass results to this object's thread.
 job::PreviewListener Preview::listener() {
   job::PreviewListener listener;
   listener.image = [this](int request, auto image, const transport::RenderProgress& progress) {
-    const std::lock_guard lock(mail_.lock);
-    const bool is_posted = mail_.image != nullptr;
-    mail_.request = request;
-    mail_.image = std::move(image);
-    mail_.progress = progress;
+    const std::lock_guard lock(pending_.lock);
+    const bool is_posted = pending_.image != nullptr;
+    pending_.request = request;
+    pending_.image = std::move(image);
+    pending_.progress = progress;
     if (!is_posted) QMetaObject::invokeMethod(this, &Preview::take_image, Qt::QueuedConnection);
   };
   listener.diagnostics = [this](int request, const grf::Diagnostics& diagnostics) {
@@ -53,7 +53,7 @@ job::PreviewListener Preview::listener() {
 void Preview::restart(job::PreviewRequest request) {
   if (is_on_ && !has_shown_ && state_ == PreviewState::Preparing) {
     waiting_ = std::move(request);
-    if (!patience_.isActive()) patience_.start();
+    if (!abandon_timer_.isActive()) abandon_timer_.start();
     return;
   }
   start(std::move(request));
@@ -61,7 +61,7 @@ void Preview::restart(job::PreviewRequest request) {
 
 void Preview::start(job::PreviewRequest request) {
   waiting_.reset();
-  patience_.stop();
+  abandon_timer_.stop();
   is_on_ = true;
   has_shown_ = false;
   state_ = PreviewState::Preparing;
@@ -76,7 +76,7 @@ void Preview::start_waiting() {
 void Preview::stop() {
   if (!is_on_) return;
   waiting_.reset();
-  patience_.stop();
+  abandon_timer_.stop();
   render_.stop();
   is_on_ = false;
   request_ = 0;
@@ -94,10 +94,10 @@ void Preview::take_image() {
   std::shared_ptr<const transport::Image> image;
   transport::RenderProgress progress;
   {
-    const std::lock_guard lock(mail_.lock);
-    request = mail_.request;
-    image = std::exchange(mail_.image, nullptr);
-    progress = mail_.progress;
+    const std::lock_guard lock(pending_.lock);
+    request = pending_.request;
+    image = std::exchange(pending_.image, nullptr);
+    progress = pending_.progress;
   }
   if (!is_on_ || request != request_) return;
   image_ = std::move(image);

@@ -43,7 +43,7 @@ class Preview : public QObject {
 
  private:
   /// Results of the thread that the window has not received yet.
-  struct Mail {
+  struct PendingResults {
     std::mutex lock;
     int request = 0;
     std::shared_ptr<const transport::Image> image;
@@ -62,8 +62,8 @@ class Preview : public QObject {
   job::PreviewState state_ = job::PreviewState::Done;
   std::shared_ptr<const transport::Image> image_;
   std::optional<job::PreviewRequest> waiting_;
-  QTimer patience_;
-  Mail mail_;
+  QTimer abandon_timer_;
+  PendingResults pending_;
   job::PreviewRender render_;  ///< the last member: its thread calls this
 };
 

@@ -16,7 +16,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/document/document.h"
 #include "editor/document/op_document.h"
 #include "editor/document/op_files.h"
@@ -54,7 +54,7 @@ RenderPanel::RenderPanel(Document& document, JobList& jobs, const QString& progr
           [this] { log(QString::fromStdString(options_.diagnostics().to_text())); });
   show_options();
   update_actions();
-  say(tr("Ready"));
+  show_status(tr("Ready"));
 }
 
 void RenderPanel::make_actions() {
@@ -171,14 +171,14 @@ void RenderPanel::connect_preview() {
   connect(&preview_, &Preview::state_changed, this, [this](PreviewState state) {
     update_actions();
     if (final_.is_running()) return;
-    if (state == PreviewState::Paused) say(tr("Preview paused"));
+    if (state == PreviewState::Paused) show_status(tr("Preview paused"));
     if (state == PreviewState::Done)
-      say(tr("Preview done") + status_->text().mid(status_->text().indexOf(" · ")));
-    if (state == PreviewState::Failed) say(tr("Preview failed: see the log"));
+      show_status(tr("Preview done") + status_->text().mid(status_->text().indexOf(" · ")));
+    if (state == PreviewState::Failed) show_status(tr("Preview failed: see the log"));
   });
   connect(&preview_, &Preview::stopped, this, [this] {
     update_actions();
-    say(tr("Preview stopped"));
+    show_status(tr("Preview stopped"));
   });
 }
 
@@ -203,7 +203,7 @@ void RenderPanel::connect_final() {
   connect(&final_, &FinalRender::finished, this, &RenderPanel::finish);
   connect(&final_, &FinalRender::failed, this, [this](const QString& why) {
     log(why);
-    say(tr("Render failed: %1").arg(why.section('\n', 0, 0)));
+    show_status(tr("Render failed: %1").arg(why.section('\n', 0, 0)));
     update_actions();
     if (std::exchange(resumes_after_, false)) preview_.resume();
     end_job();
@@ -218,7 +218,7 @@ void RenderPanel::finish(const FinalRenderResult& result) {
           duration_text(result.summary.seconds);
   if (result.summary.estimated_error)
     text += " · " + tr("error %1").arg(percent_text(*result.summary.estimated_error));
-  say(text);
+  show_status(text);
   log(text);
   update_actions();
   resumes_after_ = false;  // preview images would hide this one
@@ -227,7 +227,7 @@ void RenderPanel::finish(const FinalRenderResult& result) {
 
 void RenderPanel::show_options() {
   const RenderOptions& now = options_.valid_options();
-  const bool is_from_there = view_ && now.viewer == grf::Vec3f(view_->eye) &&
+  const bool is_from_there = view_ && now.eye == grf::Vec3f(view_->eye) &&
                              now.target == grf::Vec3f(view_->target) && now.up == view_->up &&
                              now.field_of_view == view_->field_of_view;
   if (!is_from_there) view_.reset();
@@ -252,7 +252,7 @@ void RenderPanel::restart_preview() {
     return preview_.stop();
   }
   curve_->clear();
-  say(tr("Preview"));
+  show_status(tr("Preview"));
   preview_.restart({document_.scene(), document_.path().toStdString(), options_.valid_options(), view_});
   update_actions();
 }
@@ -263,8 +263,8 @@ void RenderPanel::render() {
   FinalRenderRequest request = {document_.scene(), document_.path(), options_.valid_options(),
                                 document_.imports(), false};
   const QString image = final_.output_of(request);
-  request.may_replace = final_.is_foreign(image);
-  if (request.may_replace && !may_replace(image)) return;
+  request.may_overwrite = final_.is_from_other_session(image);
+  if (request.may_overwrite && !may_overwrite(image)) return;
   keep_op_file();
   jobs_.add({tr("Render %1").arg(QFileInfo(image).fileName()), RenderQueue,
              [this, request](Job& job) { begin(job, request); }, [this] { stop(); },
@@ -283,7 +283,7 @@ void RenderPanel::end_job() {
   if (job_) job_->end();
 }
 
-bool RenderPanel::may_replace(const QString& image) {
+bool RenderPanel::may_overwrite(const QString& image) {
   QMessageBox question(QMessageBox::Warning, tr("Replace the image"), tr("%1 exists.").arg(image),
                        QMessageBox::Save | QMessageBox::Cancel, this);
   question.setInformativeText(tr("It was not rendered in this session. Rendering overwrites it."));
@@ -294,7 +294,7 @@ bool RenderPanel::may_replace(const QString& image) {
 
 void RenderPanel::stop() {
   if (final_.is_running()) {
-    say(tr("Stopping: the image is kept"));
+    show_status(tr("Stopping: the image is kept"));
     return final_.stop();
   }
   preview_.stop();
@@ -323,10 +323,10 @@ void RenderPanel::show_progress(double done, std::optional<double> seconds_left,
   text += " · " + tr("%1 %").arg(100 * done, 0, 'f', 0);
   if (seconds_left && done < 1) text += " · " + tr("%1 left").arg(duration_text(*seconds_left));
   if (error) text += " · " + tr("error %1").arg(percent_text(*error));
-  say(text);
+  show_status(text);
 }
 
-void RenderPanel::say(const QString& text) {
+void RenderPanel::show_status(const QString& text) {
   status_->setText(text);
   status_->setToolTip(text);
 }

@@ -70,12 +70,12 @@ class RenderPanel : public QWidget {
   void begin(Job& job, const FinalRenderRequest& request);
   void end_job();
   void stop();
-  bool may_replace(const QString& image);
+  bool may_overwrite(const QString& image);
   void keep_op_file();
   void show_options();
   void finish(const FinalRenderResult& result);
   void show_progress(double done, std::optional<double> seconds_left, std::optional<double> error);
-  void say(const QString& text);
+  void show_status(const QString& text);
   void log(const QString& text);
   void open_image();
   void update_actions();

@@ -51,6 +51,6 @@ QString duration_text(double seconds) {
   return text("%1 h %2 min").arg(whole / 3600).arg(two_digits(whole % 3600 / 60));
 }
 
-QString percent_text(double share) { return text("%1 %").arg(100 * share, 0, 'g', 3); }
+QString percent_text(double fraction) { return text("%1 %").arg(100 * fraction, 0, 'g', 3); }
 
 }  // namespace editor

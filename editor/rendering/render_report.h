@@ -40,6 +40,6 @@ std::optional<BakeSummary> bake_summary_of(const QByteArray& line);
 /// Formats a duration: `12 s`, `4 min 05 s`, `2 h 07 min`.
 QString duration_text(double seconds);
 /// Formats a fraction in percent with three digits: `1.25 %`.
-QString percent_text(double share);
+QString percent_text(double fraction);
 
 }  // namespace editor

@@ -35,7 +35,7 @@ void put(NumberBox& box, std::optional<double> value, const QString& word) {
   }
 }
 
-/// Nothing if the option is not set.
+/// Empty if the option is not set.
 std::optional<int> whole(double value) {
   return value > 0 ? std::optional(static_cast<int>(std::lround(value))) : std::nullopt;
 }
@@ -145,7 +145,7 @@ void RenderSettingsRow::show_options() {
   put(*samples_, options_.samples, tr("auto"));
   depth_->set_value(options_.depth);
   scheme_->setCurrentIndex(std::max(
-      0, scheme_->findData(QString::fromStdString(options_.name), Qt::UserRole, Qt::MatchFixedString)));
+      0, scheme_->findData(QString::fromStdString(options_.scheme), Qt::UserRole, Qt::MatchFixedString)));
   std::optional<double> target_error = options_.target_error;
   if (target_error) *target_error *= 100;
   put(*target_error_, target_error, tr("none"));
@@ -158,7 +158,7 @@ void RenderSettingsRow::take() {
   options_.size = {whole(width_->value()).value_or(1), whole(height_->value()).value_or(1)};
   options_.samples = whole(samples_->value());
   options_.depth = static_cast<int>(std::lround(depth_->value()));
-  options_.name = scheme_->currentData().toString().toStdString();
+  options_.scheme = scheme_->currentData().toString().toStdString();
   options_.target_error = given(target_error_->value() / 100);
   options_.max_seconds = given(seconds_->value());
   show_options();

@@ -9,12 +9,12 @@ namespace editor {
 namespace {
 
 /// The window has priority, and a run that is cancelled when the editor quits has some seconds to save.
-constexpr ChildManners Manners = {.niceness = 5, .patience = 5000};
+constexpr ChildSettings Settings = {.niceness = 5, .terminate_timeout = 5000};
 
 }  // namespace
 
 RendererProcess::RendererProcess(QString program, QObject* parent)
-    : QObject(parent), program_(std::move(program)), process_(Manners) {
+    : QObject(parent), program_(std::move(program)), process_(Settings) {
   connect(&process_, &ChildProcess::wrote, this, &RendererProcess::reported);
   connect(&process_, &ChildProcess::logged, this, &RendererProcess::log);
   connect(&process_, &ChildProcess::ended, this, &RendererProcess::end);
@@ -41,17 +41,17 @@ void RendererProcess::log(const QByteArray& bytes) {
 
 void RendererProcess::end(const ChildEnd& end) {
   using Cause = ChildEnd::Cause;
-  RendererEnd told;
-  told.is_interrupted =
+  RendererEnd result;
+  result.is_interrupted =
       end.cause == Cause::Cancelled || end.code == static_cast<int>(grf::ExitCode::Interrupted);
   if (end.cause == Cause::NotStarted) {
-    told.problem = tr("cannot start the renderer %1: %2").arg(program_, end.why);
+    result.problem = tr("cannot start the renderer %1: %2").arg(program_, end.why);
   } else if (end.cause == Cause::Crashed) {
-    told.problem = tr("the renderer was terminated by a signal");
-  } else if (!told.is_interrupted && end.code != 0) {
-    told.problem = log_.isEmpty() ? tr("the renderer exited with code %1").arg(end.code) : log_.join('\n');
+    result.problem = tr("the renderer was terminated by a signal");
+  } else if (!result.is_interrupted && end.code != 0) {
+    result.problem = log_.isEmpty() ? tr("the renderer exited with code %1").arg(end.code) : log_.join('\n');
   }
-  emit ended(told);
+  emit ended(result);
 }
 
 }  // namespace editor

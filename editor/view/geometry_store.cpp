@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "editor/view/stand_in.h"
+#include "editor/view/proxy_mesh.h"
 
 namespace editor {
 namespace {
@@ -15,7 +15,7 @@ constexpr std::size_t SmallMeshes = 40'000;
 /// Corners that a thread prepares before partial results are shown.
 constexpr std::size_t CornersPerTask = 400'000;
 /// Smaller meshes get no proxy.
-constexpr std::size_t LeastStoodInFor = 1'000;
+constexpr std::size_t LeastProxiedTriangles = 1'000;
 
 bool is_of_same_shape(const grf::Mesh& a, const grf::Mesh& b) {
   return a.geometry.shares(b.geometry) && a.irradiance.shares(b.irradiance);
@@ -31,10 +31,10 @@ void GeometryStore::set_objects(const SceneObjects& objects) {
     Entry& entry = entries_[i];
     entry.mesh = objects.meshes[i].mesh;
     const std::size_t triangles = entry.mesh->geometry->triangle_count();
-    if (objects.triangles > 2 * QuickTriangles && triangles > LeastStoodInFor) {
-      const double share = static_cast<double>(QuickTriangles) / static_cast<double>(objects.triangles);
-      entry.quick_triangles =
-          std::max<std::size_t>(100, static_cast<std::size_t>(static_cast<double>(triangles) * share));
+    if (objects.triangles > 2 * ProxyTriangles && triangles > LeastProxiedTriangles) {
+      const double fraction = static_cast<double>(ProxyTriangles) / static_cast<double>(objects.triangles);
+      entry.proxy_triangles =
+          std::max<std::size_t>(100, static_cast<std::size_t>(static_cast<double>(triangles) * fraction));
     }
     const auto [begin, end] = before.equal_range(&*entry.mesh->geometry);
     const auto same = std::find_if(
@@ -65,7 +65,7 @@ void GeometryStore::make_missing() {
       corners_at_once += corners;
       entry.shape.geometry = std::make_shared<const MeshGeometry>(*entry.mesh);
     }
-    if (entry.quick_triangles > 0 && !entry.has_stand_in) make_stand_in(entry);
+    if (entry.proxy_triangles > 0 && !entry.has_proxy) start_proxy(entry);
   }
   if (!later.empty()) make_geometries(std::move(later));
 }
@@ -73,12 +73,12 @@ void GeometryStore::make_missing() {
 void GeometryStore::reuse(const Entry& old, Entry& entry) {
   entry.shape.geometry = old.shape.geometry;
   entry.is_in_work = old.is_in_work && entry.shape.geometry == nullptr;
-  if (entry.quick_triangles == 0) return;
-  entry.shape.quick = old.shape.quick;
+  if (entry.proxy_triangles == 0) return;
+  entry.shape.proxy = old.shape.proxy;
   // An existing proxy of about the wanted size is kept.
-  const double ratio = static_cast<double>(old.quick_triangles) / static_cast<double>(entry.quick_triangles);
+  const double ratio = static_cast<double>(old.proxy_triangles) / static_cast<double>(entry.proxy_triangles);
   const bool is_alike = ratio > 0.5 && ratio < 2;
-  entry.has_stand_in = old.has_stand_in && is_alike;
+  entry.has_proxy = old.has_proxy && is_alike;
   entry.is_in_work = old.is_in_work && (is_alike || entry.shape.geometry == nullptr);
 }
 
@@ -98,24 +98,24 @@ void GeometryStore::take_geometry(const MadeGeometry& made) {
     if (entry.shape.geometry != nullptr || !is_of_same_shape(*entry.mesh, *made.first)) continue;
     entry.shape.geometry = made.second;
     entry.is_in_work = false;
-    if (entry.quick_triangles > 0) make_stand_in(entry);
+    if (entry.proxy_triangles > 0) start_proxy(entry);
   }
 }
 
-void GeometryStore::make_stand_in(Entry& entry) {
+void GeometryStore::start_proxy(Entry& entry) {
   entry.is_in_work = true;
-  const std::size_t triangles = entry.quick_triangles;
-  if (entry.shape.quick == nullptr) {
-    entry.shape.quick =
-        std::make_shared<const TriangleArrays>(thinned(entry.shape.geometry->arrays(), triangles));
+  const std::size_t triangles = entry.proxy_triangles;
+  if (entry.shape.proxy == nullptr) {
+    entry.shape.proxy =
+        std::make_shared<const TriangleArrays>(subsampled(entry.shape.geometry->arrays(), triangles));
   }
   QtConcurrent::run([geometry = entry.shape.geometry, triangles] {
-    return std::make_shared<const TriangleArrays>(stand_in(geometry->arrays(), triangles));
-  }).then(this, [this, geometry = entry.shape.geometry](const std::shared_ptr<const TriangleArrays>& quick) {
+    return std::make_shared<const TriangleArrays>(make_proxy_mesh(geometry->arrays(), triangles));
+  }).then(this, [this, geometry = entry.shape.geometry](const std::shared_ptr<const TriangleArrays>& proxy) {
     for (Entry& other : entries_) {
-      if (other.shape.geometry != geometry || other.quick_triangles == 0) continue;
-      other.shape.quick = quick;
-      other.has_stand_in = true;
+      if (other.shape.geometry != geometry || other.proxy_triangles == 0) continue;
+      other.shape.proxy = proxy;
+      other.has_proxy = true;
       other.is_in_work = false;
     }
     emit changed();
@@ -134,7 +134,7 @@ bool GeometryStore::has_all_meshes() const {
 
 bool GeometryStore::is_complete() const {
   return has_all_meshes() && std::ranges::all_of(entries_, [](const Entry& entry) {
-           return entry.quick_triangles == 0 || entry.has_stand_in;
+           return entry.proxy_triangles == 0 || entry.has_proxy;
          });
 }
 

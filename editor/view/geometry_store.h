@@ -15,7 +15,7 @@ namespace editor {
 struct MeshShape {
   std::shared_ptr<const MeshGeometry> geometry;  ///< null until it is built
   /// The proxy that is drawn while the camera moves; null if that is the mesh itself.
-  std::shared_ptr<const TriangleArrays> quick;
+  std::shared_ptr<const TriangleArrays> proxy;
 
   bool operator==(const MeshShape&) const = default;
 };
@@ -27,7 +27,7 @@ class GeometryStore : public QObject {
 
  public:
   /// A scene with more triangles than this uses proxies.
-  static constexpr std::size_t QuickTriangles = 50'000;
+  static constexpr std::size_t ProxyTriangles = 50'000;
 
   explicit GeometryStore(QObject* parent = nullptr) : QObject(parent) {}
 
@@ -49,8 +49,8 @@ class GeometryStore : public QObject {
   struct Entry {
     grf::Shared<grf::Mesh> mesh;
     MeshShape shape;
-    std::size_t quick_triangles = 0;  ///< size of the wanted proxy; 0: none
-    bool has_stand_in = false;
+    std::size_t proxy_triangles = 0;  ///< size of the wanted proxy; 0: none
+    bool has_proxy = false;
     bool is_in_work = false;  ///< whether its geometry or its proxy is being built
   };
   /// A mesh and its geometry.
@@ -60,7 +60,7 @@ class GeometryStore : public QObject {
   void make_missing();
   void make_geometries(std::vector<grf::Shared<grf::Mesh>> meshes);
   void take_geometry(const MadeGeometry& made);
-  void make_stand_in(Entry& entry);
+  void start_proxy(Entry& entry);
 
   std::vector<Entry> entries_;
 };

@@ -66,7 +66,7 @@ std::unique_ptr<QOpenGLShaderProgram> program_of(const GraphicsDriver& driver, c
       driver.compile({GlslVersion + shader_text({vertex}), GlslVersion + shader_text(fragments),
                       geometry.isEmpty() ? QByteArray() : GlslVersion + shader_text({geometry})});
   if (made.program == nullptr) {
-    throw ShaderRefused((fragments.join(' ') + ": " + first_line(made.log)).toStdString());
+    throw ShaderCompileError((fragments.join(' ') + ": " + first_line(made.log)).toStdString());
   }
   return std::move(made.program);
 }

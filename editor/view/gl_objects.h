@@ -72,13 +72,13 @@ class BufferTexture {
 };
 
 /// Thrown if the driver cannot compile a shader that is indispensable.
-class ShaderRefused : public std::runtime_error {
+class ShaderCompileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 /// Compiles a shader program from files under :/view/: those of the fragment shader are concatenated, and the
-/// geometry shader is optional. Throws ShaderRefused.
+/// geometry shader is optional. Throws ShaderCompileError.
 std::unique_ptr<QOpenGLShaderProgram> program_of(const GraphicsDriver& driver, const QString& vertex,
                                                  const QStringList& fragments, const QString& geometry = {});
 /// The concatenated files under :/view/.

@@ -103,7 +103,7 @@ void MeshGeometry::cut_faces() {
 
 std::vector<MeshGeometry::Edge> MeshGeometry::edges() const {
   std::vector<Edge> edges;
-  grf::for_each_edge(grf::edges_of_faces(*geometry_, {}), [&edges](std::span<const grf::FaceEdge> of_faces) {
+  grf::for_each_edge(grf::half_edges_of(*geometry_, {}), [&edges](std::span<const grf::HalfEdge> of_faces) {
     const std::uint64_t ends = of_faces.front().places;
     edges.push_back({static_cast<std::uint32_t>(ends >> 32U), static_cast<std::uint32_t>(ends)});
   });

@@ -64,7 +64,7 @@ struct PlacedMesh {
   }
 };
 
-std::vector<PlacedMesh> placed_meshes(const SeenScene& scene) {
+std::vector<PlacedMesh> placed_meshes(const ProjectedScene& scene) {
   std::vector<PlacedMesh> placed;
   for (const MeshInstance& instance : *scene.objects.instances) {
     PlacedMesh mesh{instance.mesh, scene.shapes[instance.mesh].geometry.get(), instance.to_world,
@@ -78,7 +78,8 @@ std::vector<PlacedMesh> placed_meshes(const SeenScene& scene) {
 /// Calls visit(face, x, y, centre) for each face of a mesh whose centre is in the region: the pixel in the
 /// mask's rectangle, and the centre in world space.
 template <class Visit>
-void for_each_centre(const SeenScene& scene, const Mask& mask, const PlacedMesh& mesh, const Visit& visit) {
+void for_each_centre(const ProjectedScene& scene, const Mask& mask, const PlacedMesh& mesh,
+                     const Visit& visit) {
   if (mesh.geometry == nullptr) return;
   const double aspect = static_cast<double>(scene.size.width()) / scene.size.height();
   const grf::Matrix44d to_clip =
@@ -98,7 +99,7 @@ void for_each_centre(const SeenScene& scene, const Mask& mask, const PlacedMesh&
 }
 
 /// Tells whether a face smaller than a pixel lies on the face that its pixel shows.
-bool is_seen_small(const SeenScene& scene, const PlacedMesh& mesh, std::uint32_t face,
+bool is_seen_small(const ProjectedScene& scene, const PlacedMesh& mesh, std::uint32_t face,
                    const PlacedMesh& shown, std::uint32_t shown_face) {
   const Vec3d centre = mesh.centre(face);
   const ViewCamera& camera = scene.camera;
@@ -129,8 +130,8 @@ std::optional<SceneHit> intersect(const SceneObjects& objects, const std::vector
   return nearest;
 }
 
-FaceSelection seen_in_region(const SeenScene& scene, const QPolygonF& region,
-                             const std::function<std::vector<FacePixel>(const QRect&)>& faces_in) {
+FaceSelection visible_in_region(const ProjectedScene& scene, const QPolygonF& region,
+                                const std::function<std::vector<FacePixel>(const QRect&)>& faces_in) {
   FaceSelection selection(scene.objects);
   const Mask mask(region, scene.size);
   if (mask.empty()) return selection;
@@ -168,7 +169,7 @@ FaceSelection seen_in_region(const SeenScene& scene, const QPolygonF& region,
   return selection;
 }
 
-FaceSelection all_in_region(const SeenScene& scene, const QPolygonF& region) {
+FaceSelection all_in_region(const ProjectedScene& scene, const QPolygonF& region) {
   FaceSelection selection(scene.objects);
   const Mask mask(region, scene.size);
   if (mask.empty()) return selection;

@@ -11,7 +11,7 @@
 namespace editor {
 
 /// A scene with the camera and the size of its image.
-struct SeenScene {
+struct ProjectedScene {
   const SceneObjects& objects;
   const std::vector<MeshShape>& shapes;
   const ViewCamera& camera;
@@ -30,10 +30,10 @@ std::optional<SceneHit> intersect(const SceneObjects& objects, const std::vector
 /// The visible faces of a region of the image, whose corners are in pixels from the upper left: those that
 /// cover a pixel of it, and those smaller than a pixel whose centre is in the region and not occluded.
 /// `faces_in` returns the pixels of a rectangle, from the lower left.
-FaceSelection seen_in_region(const SeenScene& scene, const QPolygonF& region,
-                             const std::function<std::vector<FacePixel>(const QRect&)>& faces_in);
+FaceSelection visible_in_region(const ProjectedScene& scene, const QPolygonF& region,
+                                const std::function<std::vector<FacePixel>(const QRect&)>& faces_in);
 
 /// All faces whose centre is in the region, occluded or not.
-FaceSelection all_in_region(const SeenScene& scene, const QPolygonF& region);
+FaceSelection all_in_region(const ProjectedScene& scene, const QPolygonF& region);
 
 }  // namespace editor

@@ -28,7 +28,7 @@ bool SceneBuffers::set_objects(std::shared_ptr<const SceneObjects> objects) {
   term_table_.upload(std::span<const Imath::V4f>(surfaces_.terms));
   if (!before->instances.shares(objects_->instances)) {
     meshes_.assign(objects_->meshes.size(), nullptr);
-    quick_meshes_ = meshes_;
+    proxy_meshes_ = meshes_;
     geometries_.assign(objects_->meshes.size(), nullptr);
   }
   std::erase_if(textures_, [this](const auto& entry) {
@@ -64,12 +64,12 @@ bool SceneBuffers::set_shapes(const std::vector<MeshShape>& shapes) {
     if (is_left_out) ++left_out_;
     const bool is_shown = geometry != nullptr && !is_left_out;
     meshes_[i] = is_shown ? buffers_of({geometry, &geometry->arrays()}) : nullptr;
-    quick_meshes_[i] = is_shown && shapes[i].quick != nullptr ? buffers_of(shapes[i].quick) : meshes_[i];
+    proxy_meshes_[i] = is_shown && shapes[i].proxy != nullptr ? buffers_of(shapes[i].proxy) : meshes_[i];
   }
   return meshes_ != meshes_before;
 }
 
-bool SceneBuffers::has_stand_ins() const { return meshes_ != quick_meshes_; }
+bool SceneBuffers::has_proxies() const { return meshes_ != proxy_meshes_; }
 
 void SceneBuffers::set_selection(const FaceSelection& selection) {
   std::vector<std::uint8_t> flags(faces_.surface_of_face.size());

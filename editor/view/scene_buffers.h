@@ -37,9 +37,9 @@ class SceneBuffers {
   /// Null until the geometry is built, and for meshes that are left out.
   MeshBuffers* mesh(std::uint32_t mesh) const { return meshes_[mesh]; }
   /// The proxy, or the mesh itself.
-  MeshBuffers* quick_mesh(std::uint32_t mesh) const { return quick_meshes_[mesh]; }
+  MeshBuffers* proxy_mesh(std::uint32_t mesh) const { return proxy_meshes_[mesh]; }
   const MeshGeometry* geometry(std::uint32_t mesh) const { return geometries_[mesh].get(); }
-  bool has_stand_ins() const;
+  bool has_proxies() const;
   bool has_selection() const { return has_selection_; }
   /// Textures that were downscaled.
   const std::set<std::string>& reduced_textures() const { return reduced_textures_; }
@@ -64,7 +64,7 @@ class SceneBuffers {
   std::map<std::shared_ptr<const TriangleArrays>, std::unique_ptr<MeshBuffers>> buffers_;
   std::vector<std::shared_ptr<const MeshGeometry>> geometries_;
   std::vector<MeshBuffers*> meshes_;
-  std::vector<MeshBuffers*> quick_meshes_;
+  std::vector<MeshBuffers*> proxy_meshes_;
   std::map<std::string, std::unique_ptr<QOpenGLTexture>> textures_;
   std::set<std::string> reduced_textures_;
   std::unique_ptr<QOpenGLTexture> awaited_texture_;

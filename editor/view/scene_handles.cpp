@@ -67,21 +67,21 @@ void add_camera(const transport::View& view, double aspect, double size, std::ve
     return middle + camera.right() * (x * half * aspect) + camera.up() * (y * half);
   };
   const std::array<Vec3d, 4> corners = {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
-  SceneHandle viewer{{HandleKind::CameraViewer, {}, 0}, "Render camera", view.eye, view.eye, {}};
+  SceneHandle eye_handle{{HandleKind::CameraEye, {}, 0}, "Render camera", view.eye, view.eye, {}};
   for (std::size_t i = 0; i < 4; ++i) {
-    viewer.lines.emplace_back(view.eye, corners[i]);
-    viewer.lines.emplace_back(corners[i], corners[(i + 1) % 4]);
+    eye_handle.lines.emplace_back(view.eye, corners[i]);
+    eye_handle.lines.emplace_back(corners[i], corners[(i + 1) % 4]);
   }
   // The up direction.
-  viewer.lines.emplace_back(corner(-0.5, 1.15), corner(0, 1.7));
-  viewer.lines.emplace_back(corner(0, 1.7), corner(0.5, 1.15));
-  viewer.lines.emplace_back(corner(0.5, 1.15), corner(-0.5, 1.15));
+  eye_handle.lines.emplace_back(corner(-0.5, 1.15), corner(0, 1.7));
+  eye_handle.lines.emplace_back(corner(0, 1.7), corner(0.5, 1.15));
+  eye_handle.lines.emplace_back(corner(0.5, 1.15), corner(-0.5, 1.15));
   SceneHandle target{
       {HandleKind::CameraTarget, {}, 0}, "Render camera's target", view.target, view.target, {}};
   for (const Vec3d& axis : Axes) {
     target.lines.emplace_back(view.target - axis * size / 2, view.target + axis * size / 2);
   }
-  handles.push_back(std::move(viewer));
+  handles.push_back(std::move(eye_handle));
   handles.push_back(std::move(target));
 }
 

@@ -11,7 +11,7 @@
 
 namespace editor {
 
-enum class HandleKind { Light, Observer, CameraViewer, CameraTarget };
+enum class HandleKind { Light, Observer, CameraEye, CameraTarget };
 
 /// Identifies a handle.
 struct HandleId {

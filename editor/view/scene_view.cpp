@@ -72,8 +72,8 @@ void SceneView::show(std::shared_ptr<const SceneObjects> objects) {
   geometry_.set_objects(*objects_);
   std::vector<std::string> paths;
   for (const MeshObject& mesh : objects_->meshes) {
-    for (const Look& look : mesh.looks) {
-      if (!look.texture.empty()) paths.push_back(look.texture);
+    for (const FlatSurface& flat_surface : mesh.flat_surfaces) {
+      if (!flat_surface.texture.empty()) paths.push_back(flat_surface.texture);
     }
   }
   textures_.set_paths(paths);
@@ -156,9 +156,9 @@ grf::Vec2d SceneView::window_size() const {
   return {double(std::max(width(), 1)), double(std::max(height(), 1))};
 }
 
-PictureRequest SceneView::request() const {
+FrameRequest SceneView::request() const {
   const Theme theme = theme_of(palette());
-  PictureRequest request;
+  FrameRequest request;
   request.camera = camera();
   request.bounds = drawn_bounds();
   request.style = style_;
@@ -189,13 +189,13 @@ grf::Box3d SceneView::drawn_bounds() const {
 
 void SceneView::draw() {
   ++number_;
-  if (is_ordered_ || !isVisible()) return;
+  if (is_requested_ || !isVisible()) return;
   // Changes of one turn of the event loop are drawn together.
-  is_ordered_ = true;
+  is_requested_ = true;
   QMetaObject::invokeMethod(
       this,
       [this] {
-        is_ordered_ = false;
+        is_requested_ = false;
         if (isVisible()) renderer_.show(state());
       },
       Qt::QueuedConnection);
@@ -280,10 +280,11 @@ void SceneView::tell_hovered() {
 QString SceneView::text_of(const std::optional<SceneHit>& hit) const {
   if (!hit) return {};
   const MeshObject& mesh = objects_->meshes[hit->face.mesh];
-  const Look& look = mesh.looks[(*mesh.mesh->surface_of_face)[hit->face.face]];
-  QStringList surface(look.brdf ? QString::fromStdString(look.brdf->keyword) : tr("default diffuse"));
-  if (!look.texture.empty()) surface += tr("textured");
-  if (look.emission) surface += tr("emissive");
+  const FlatSurface& flat_surface = mesh.flat_surfaces[(*mesh.mesh->surface_of_face)[hit->face.face]];
+  QStringList surface(flat_surface.brdf ? QString::fromStdString(flat_surface.brdf->keyword)
+                                        : tr("default diffuse"));
+  if (!flat_surface.texture.empty()) surface += tr("textured");
+  if (flat_surface.emission) surface += tr("emissive");
   return tr("%1 · face %2 · %3")
       .arg(mesh.name.empty() ? tr("unnamed mesh") : QString::fromStdString(mesh.name),
            QString::number(hit->face.face), mesh.is_light ? tr("light") : surface.join(", "));
@@ -379,14 +380,14 @@ void SceneView::end_region(Qt::KeyboardModifiers modifiers) {
   const QPolygonF drawn = region_.take();
   if (drawn.size() < 3) return;
   ++number_;
-  region_order_ = RegionOrder{number_, objects_, modifiers};
+  pending_region_ = PendingRegion{number_, objects_, modifiers};
   const bool has_faces = mode() != DisplayMode::Wireframe && mode() != DisplayMode::Points;
   renderer_.select({state(), drawn, selects_through_ || !has_faces});
 }
 
 void SceneView::take_region(const FaceSelection& selected, std::int64_t state) {
-  if (!region_order_ || region_order_->state != state) return;
-  const RegionOrder order = *std::exchange(region_order_, std::nullopt);
+  if (!pending_region_ || pending_region_->state != state) return;
+  const PendingRegion order = *std::exchange(pending_region_, std::nullopt);
   // Nothing is selected if the scene was replaced meanwhile.
   if (order.objects == objects_) make_selection(selected, order.modifiers);
 }

@@ -9,8 +9,8 @@
 
 #include "editor/document/face_selection.h"
 #include "editor/view/camera_navigation.h"
+#include "editor/view/frame_renderer.h"
 #include "editor/view/geometry_store.h"
-#include "editor/view/picture_painter.h"
 #include "editor/view/region_gesture.h"
 #include "editor/view/scene_handles.h"
 #include "editor/view/texture_store.h"
@@ -73,7 +73,7 @@ class SceneView : public QWidget {
   /// Whether the image of the current scene is in full detail, perhaps not antialiased yet.
   bool is_full() const;
   /// Whether a box or lasso selection is being evaluated.
-  bool is_selecting() const { return region_order_.has_value(); }
+  bool is_selecting() const { return pending_region_.has_value(); }
   /// The face that a click at this position of the widget would select.
   std::optional<FaceId> face_at(const QPointF& pixel) const;
   /// The handles of lights, observers and the camera.
@@ -111,7 +111,7 @@ class SceneView : public QWidget {
  private:
   enum class Gesture { None, Navigation, Region, Handle };
   /// A box or lasso to be evaluated.
-  struct RegionOrder {
+  struct PendingRegion {
     std::int64_t state = 0;  ///< number of the view state
     std::shared_ptr<const SceneObjects> objects;
     Qt::KeyboardModifiers modifiers;
@@ -120,7 +120,7 @@ class SceneView : public QWidget {
   // Display
   void draw();
   ViewState state() const;
-  PictureRequest request() const;
+  FrameRequest request() const;
   QSize picture_size() const;
   grf::Vec2d window_size() const;
   double aspect() const { return window_size().x / window_size().y; }
@@ -159,10 +159,10 @@ class SceneView : public QWidget {
   bool selects_through_ = false;
   std::optional<transport::View> render_camera_;
   double render_aspect_ = 1.25;
-  std::int64_t number_ = 0;  // of what is to be seen
-  bool is_ordered_ = false;  // it will be asked for in the next turn of the event loop
+  std::int64_t number_ = 0;    // of what is to be seen
+  bool is_requested_ = false;  // it will be asked for in the next turn of the event loop
   ViewImage shown_;
-  std::optional<RegionOrder> region_order_;
+  std::optional<PendingRegion> pending_region_;
   Gesture gesture_ = Gesture::None;
   Qt::MouseButton button_ = Qt::NoButton;  // that began it
   bool is_click_ = false;                  // the pointer has not moved since it was pressed

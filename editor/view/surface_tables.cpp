@@ -27,20 +27,20 @@ class Builder {
  public:
   SurfaceTables build(const SceneObjects& objects) {
     for (const MeshObject& mesh : objects.meshes) {
-      for (const Look& look : mesh.looks) add_surface(look, mesh.is_light);
+      for (const FlatSurface& flat_surface : mesh.flat_surfaces) add_surface(flat_surface, mesh.is_light);
       tables_.ends.push_back(std::max(tables_.surfaces.size(), tables_.terms.size()));
     }
     return std::move(tables_);
   }
 
  private:
-  void add_surface(const Look& look, bool is_light) {
-    const std::optional<grf::Colour> emission = is_light ? look.colour : look.emission;
-    const Rgb colour = is_light ? Rgb(1) : look.colour;
-    tables_.surfaces.push_back(row(colour, texture_number(look.texture)));
+  void add_surface(const FlatSurface& flat_surface, bool is_light) {
+    const std::optional<grf::Colour> emission = is_light ? flat_surface.colour : flat_surface.emission;
+    const Rgb colour = is_light ? Rgb(1) : flat_surface.colour;
+    tables_.surfaces.push_back(row(colour, texture_number(flat_surface.texture)));
     tables_.surfaces.push_back(row(emission.value_or(Rgb(0)), emission ? 1.0F : 0.0F));
-    const bool is_black = emission && !look.brdf;
-    const std::vector<WeightedBrdf> brdfs = is_black ? std::vector<WeightedBrdf>() : brdfs_of(look);
+    const bool is_black = emission && !flat_surface.brdf;
+    const std::vector<WeightedBrdf> brdfs = is_black ? std::vector<WeightedBrdf>() : brdfs_of(flat_surface);
     const std::size_t first = tables_.terms.size();
     for (const WeightedBrdf& term : brdfs) add_term(term);
     tables_.surfaces.emplace_back(static_cast<float>(first), static_cast<float>(brdfs.size()),
@@ -54,11 +54,11 @@ class Builder {
     return static_cast<float>(entry->second);
   }
 
-  std::vector<WeightedBrdf> brdfs_of(const Look& look) {
-    if (!look.brdf) return {{1, reflectance::default_brdf()}};
-    if (look.brdf->terms.empty()) return {{1, brdf_of(*look.brdf)}};
+  std::vector<WeightedBrdf> brdfs_of(const FlatSurface& flat_surface) {
+    if (!flat_surface.brdf) return {{1, reflectance::default_brdf()}};
+    if (flat_surface.brdf->terms.empty()) return {{1, brdf_of(*flat_surface.brdf)}};
     std::vector<WeightedBrdf> brdfs;
-    for (const LookTerm& term : look.terms) brdfs.push_back({term.weight, brdf_of(term.brdf)});
+    for (const FlatTerm& term : flat_surface.terms) brdfs.push_back({term.weight, brdf_of(term.brdf)});
     return brdfs;
   }
 
@@ -80,14 +80,14 @@ class Builder {
   /// Returns the row of the first value, or -1.
   float add_mirror(const std::vector<WeightedBrdf>& brdfs) {
     const bool has_one = std::ranges::any_of(
-        brdfs, [](const WeightedBrdf& term) { return reflectance::has_mirror(term.brdf); });
+        brdfs, [](const WeightedBrdf& term) { return reflectance::has_specular_part(term.brdf); });
     if (!has_one) return -1;
     const std::size_t first = tables_.terms.size();
-    for (int i = 0; i < SurfaceTables::MirrorValues; ++i) {
-      const float cosine = std::max(1e-3F, static_cast<float>(i) / (SurfaceTables::MirrorValues - 1));
+    for (int i = 0; i < SurfaceTables::SpecularValues; ++i) {
+      const float cosine = std::max(1e-3F, static_cast<float>(i) / (SurfaceTables::SpecularValues - 1));
       const grf::Vec3f u(std::sqrt(1 - cosine * cosine), 0, cosine);
       Rgb sum(0);
-      for (const WeightedBrdf& term : brdfs) sum += term.weight * reflectance::mirror(term.brdf, u);
+      for (const WeightedBrdf& term : brdfs) sum += term.weight * reflectance::specular_weight(term.brdf, u);
       tables_.terms.push_back(row(sum, 0));
     }
     return static_cast<float>(first);
@@ -140,7 +140,7 @@ FaceTables face_tables_of(const SceneObjects& objects) {
     for (const std::uint32_t surface : *mesh.mesh->surface_of_face) {
       tables.surface_of_face.push_back(surfaces + surface);
     }
-    surfaces += static_cast<std::uint32_t>(mesh.looks.size());
+    surfaces += static_cast<std::uint32_t>(mesh.flat_surfaces.size());
   }
   tables.irradiance_scale = irradiance_scale(objects);
   return tables;
@@ -153,7 +153,7 @@ bool have_same_faces(const SceneObjects& a, const SceneObjects& b) {
                     [](const MeshObject& mesh, const MeshObject& other) {
                       return mesh.mesh->surface_of_face.shares(other.mesh->surface_of_face) &&
                              mesh.mesh->irradiance.shares(other.mesh->irradiance) &&
-                             mesh.looks.size() == other.looks.size();
+                             mesh.flat_surfaces.size() == other.flat_surfaces.size();
                     });
 }
 

@@ -23,7 +23,7 @@ struct FaceTables {
 /// Colours, textures, emission and BRDFs of the surfaces of all meshes.
 struct SurfaceTables {
   /// The number of tabulated values of the specular part over the cosine of the view angle, from 0 to 1.
-  static constexpr int MirrorValues = 32;
+  static constexpr int SpecularValues = 32;
 
   /// Three rows per surface: see shaders/g_buffer.glsl.
   std::vector<Imath::V4f> surfaces;

@@ -42,8 +42,8 @@ TextureStore::Entry TextureStore::read(const ImageProcess& images, const std::st
   grf::Diagnostics diagnostics;
   auto image = images.read(path, diagnostics, {}, stop);
   if (image) return {std::make_shared<const transport::Image>(*std::move(image)), {}, true};
-  const bool is_told = diagnostics.error_count() > 0;  // no message if it was stopped
-  return {nullptr, is_told ? path + ": " + diagnostics.entries().front().message : std::string(), true};
+  const bool has_error = diagnostics.error_count() > 0;  // no message if it was stopped
+  return {nullptr, has_error ? path + ": " + diagnostics.entries().front().message : std::string(), true};
 }
 
 }  // namespace editor

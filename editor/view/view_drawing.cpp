@@ -17,7 +17,7 @@ constexpr int LargestScale = 4;
 /// Opacity of the accent on selected faces.
 constexpr float AccentFill = 0.45F;
 
-bool is_same(const PictureRequest& a, const PictureRequest& b) {
+bool is_same(const FrameRequest& a, const FrameRequest& b) {
   return a.camera == b.camera && a.bounds == b.bounds && a.style == b.style && a.aspect == b.aspect;
 }
 
@@ -42,7 +42,7 @@ ViewDrawing::ViewDrawing(Gl& gl, const GraphicsDriver& driver)
     : gl_(gl),
       limits_(driver.limits()),
       scene_(gl, limits_),
-      painter_(gl, driver),
+      renderer_(gl, driver),
       overlay_(gl, driver),
       no_vertices_(gl, GlKind::VertexArray),
       accumulate_(program_of(driver, "screen.vert", {"g_buffer.glsl", "accumulate.frag"})),
@@ -54,7 +54,7 @@ void ViewDrawing::show(ViewState state) {
   if (state.size != state_.size) {
     full_.reset();
     more_.reset();
-    quick_.reset();
+    draft_.reset();
     sum_.reset();
     sum_target_.reset();
     screen_.reset();
@@ -78,11 +78,12 @@ void ViewDrawing::load(const ViewState& state) {
   has_quick_ = false;
 }
 
-QStringList ViewDrawing::shortcomings() const {
+QStringList ViewDrawing::limitations() const {
   QStringList texts;
   const auto tr = [](const char* text) { return QCoreApplication::translate("ViewDrawing", text); };
   const bool has_brdfs = state_.request.style.mode == DisplayMode::Brdf;
-  for (const auto& [keyword, why] : has_brdfs ? painter_.refused() : std::map<std::string, QString>()) {
+  for (const auto& [keyword, why] :
+       has_brdfs ? renderer_.failed_shaders() : std::map<std::string, QString>()) {
     texts += tr("The graphics driver cannot compile the shader of the BRDF %1: the 3D view shades it on the "
                 "CPU, more slowly: %2")
                  .arg(QString::fromStdString(keyword), why);
@@ -121,18 +122,18 @@ void ViewDrawing::prepare() {
     work([&clock] { return seconds(clock) > QuickEnough; });
     is_slow_ = is_slow_ || passes_ == 0;
   }
-  if (passes_ == 0) draw_quickly();
+  if (passes_ == 0) draw_draft();
 }
 
-void ViewDrawing::draw_quickly() {
+void ViewDrawing::draw_draft() {
   const QSize size((state_.size.width() + quick_scale_ - 1) / quick_scale_,
                    (state_.size.height() + quick_scale_ - 1) / quick_scale_);
-  if (!quick_ || quick_->size() != size) quick_ = std::make_unique<GBuffer>(gl_, size);
+  if (!draft_ || draft_->size() != size) draft_ = std::make_unique<GBuffer>(gl_, size);
   QElapsedTimer clock;
   clock.start();
-  PictureRequest quick = state_.request;
-  quick.is_quick = true;
-  for (const auto& step : painter_.steps(scene_, *quick_, quick)) step();
+  FrameRequest draft = state_.request;
+  draft.is_draft = true;
+  for (const auto& step : renderer_.steps(scene_, *draft_, draft)) step();
   gl_.glFinish();
   if (seconds(clock) > TooLong && quick_scale_ < LargestScale) {
     ++quick_scale_;
@@ -145,12 +146,12 @@ void ViewDrawing::draw_quickly() {
 void ViewDrawing::begin_pass() {
   auto& buffer = passes_ == 0 ? full_ : more_;
   if (!buffer) buffer = std::make_unique<GBuffer>(gl_, state_.size);
-  PictureRequest request = state_.request;
+  FrameRequest request = state_.request;
   request.pass = passes_;
   // R2 points fill the pixel evenly, the first at its centre.
   request.shift = {std::fmod(0.5 + 0.7548776662 * passes_, 1) - 0.5,
                    std::fmod(0.5 + 0.5698402910 * passes_, 1) - 0.5};
-  steps_ = painter_.steps(scene_, *buffer, request);
+  steps_ = renderer_.steps(scene_, *buffer, request);
   steps_.emplace_back([this] { accumulate(); });
   next_step_ = 0;
   if (passes_ == 0) first_pass_seconds_ = 0;
@@ -230,7 +231,7 @@ QImage ViewDrawing::image() {
 
 /// Composes the current image for the screen.
 void ViewDrawing::compose() {
-  const GBuffer& buffer = is_full() ? *full_ : *quick_;
+  const GBuffer& buffer = is_full() ? *full_ : *draft_;
   const QSizeF size = buffer.size();
   screen_->bind();
   gl_.glViewport(0, 0, state_.size.width(), state_.size.height());

@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "editor/view/frame_renderer.h"
 #include "editor/view/overlay_painter.h"
-#include "editor/view/picture_painter.h"
 #include "editor/view/view_state.h"
 
 namespace editor {
@@ -25,7 +25,7 @@ struct FacePixel {
 /// It is created, used and destroyed while its context is current.
 class ViewDrawing {
  public:
-  /// Throws ShaderRefused.
+  /// Throws ShaderCompileError.
   ViewDrawing(Gl& gl, const GraphicsDriver& driver);
 
   /// Sets what to show, at a resolution within the driver's limits; an image is available at once, perhaps a
@@ -42,7 +42,7 @@ class ViewDrawing {
   /// Whether the full image is so slow that it has to wait for the view to rest.
   bool is_slow() const { return is_slow_; }
   /// Messages about what is not drawn as it should be, and why.
-  QStringList shortcomings() const;
+  QStringList limitations() const;
 
   /// The current image with selection and overlay.
   QImage image();
@@ -56,7 +56,7 @@ class ViewDrawing {
   void load(const ViewState& state);
   void restart();
   void prepare();
-  void draw_quickly();
+  void draw_draft();
   void begin_pass();
   void accumulate();
   void compose();
@@ -65,14 +65,14 @@ class ViewDrawing {
   const GraphicsLimits limits_;
   ViewState state_;
   SceneBuffers scene_;
-  PicturePainter painter_;
+  FrameRenderer renderer_;
   OverlayPainter overlay_;
   GlObject no_vertices_;
   std::unique_ptr<QOpenGLShaderProgram> accumulate_, compose_;
-  std::unique_ptr<GBuffer> full_, more_, quick_;
+  std::unique_ptr<GBuffer> full_, more_, draft_;
   std::unique_ptr<GlObject> sum_, sum_target_;
   std::unique_ptr<QOpenGLFramebufferObject> screen_;
-  std::vector<PicturePainter::Step> steps_;
+  std::vector<FrameRenderer::Step> steps_;
   std::size_t next_step_ = 0;
   int passes_ = 0;
   bool has_quick_ = false;

@@ -22,28 +22,28 @@ ViewRenderer::ViewRenderer(const GraphicsDriver& driver, QObject* parent)
 ViewRenderer::~ViewRenderer() {
   {
     const std::lock_guard lock(mutex_);
-    orders_.is_end = true;
+    requests_.is_end = true;
   }
-  ordered_.notify_one();
+  requested_.notify_one();
 }
 
 void ViewRenderer::show(const ViewState& state) {
-  order([&state](Orders& orders) { orders.state = state; });
+  request([&state](Requests& requests) { requests.state = state; });
 }
 
 void ViewRenderer::select(const ViewRegion& region) {
-  order([&region](Orders& orders) {
-    orders.region = region;
-    orders.state.reset();  // the region's state is newer
+  request([&region](Requests& requests) {
+    requests.region = region;
+    requests.state.reset();  // the region's state is newer
   });
 }
 
-void ViewRenderer::order(const std::function<void(Orders&)>& change) {
+void ViewRenderer::request(const std::function<void(Requests&)>& change) {
   {
     const std::lock_guard lock(mutex_);
-    change(orders_);
+    change(requests_);
   }
-  ordered_.notify_one();
+  requested_.notify_one();
   if (std::exchange(is_running_, true)) return;
   thread_.run([this](QOpenGLContext* context) { run(context); });
 }
@@ -54,40 +54,40 @@ void ViewRenderer::make_drawing(QOpenGLContext* context) {
   gl->initializeOpenGLFunctions();
   try {
     drawing_ = std::make_unique<ViewDrawing>(*gl, driver_);
-  } catch (const ShaderRefused& refused) {
-    warn(tr("The 3D view cannot draw: the graphics driver cannot compile a shader: %1").arg(refused.what()));
+  } catch (const ShaderCompileError& error) {
+    warn(tr("The 3D view cannot draw: the graphics driver cannot compile a shader: %1").arg(error.what()));
   }
 }
 
 void ViewRenderer::run(QOpenGLContext* context) {
   make_drawing(context);
   for (;;) {
-    const Orders orders = next_orders();
-    if (orders.is_end) return;
-    if (orders.region) select_in_thread(*orders.region);
+    const Requests requests = next_requests();
+    if (requests.is_end) return;
+    if (requests.region) select_in_thread(*requests.region);
     if (drawing_ == nullptr) continue;
-    if (orders.state) show_in_thread(*orders.state);
-    if (orders.empty() && drawing_->work([this] { return has_orders(); })) tell_image();
+    if (requests.state) show_in_thread(*requests.state);
+    if (requests.empty() && drawing_->work([this] { return has_requests(); })) tell_image();
   }
 }
 
 /// Waits for requests, unless the image can be refined.
-ViewRenderer::Orders ViewRenderer::next_orders() {
+ViewRenderer::Requests ViewRenderer::next_requests() {
   std::unique_lock lock(mutex_);
-  const auto are_there = [this] { return !orders_.empty(); };
+  const auto are_there = [this] { return !requests_.empty(); };
   const bool has_picture = drawing_ != nullptr && drawing_->state().objects != nullptr;
   if (!has_picture || drawing_->is_done()) {
-    ordered_.wait(lock, are_there);
+    requested_.wait(lock, are_there);
   } else if (drawing_->is_slow() && !drawing_->is_full()) {
     // While a heavy scene is orbited, all time is spent on drafts.
-    ordered_.wait_for(lock, RestTime, are_there);
+    requested_.wait_for(lock, RestTime, are_there);
   }
-  return std::exchange(orders_, {});
+  return std::exchange(requests_, {});
 }
 
-bool ViewRenderer::has_orders() {
+bool ViewRenderer::has_requests() {
   const std::lock_guard lock(mutex_);
-  return !orders_.empty();
+  return !requests_.empty();
 }
 
 void ViewRenderer::show_in_thread(const ViewState& state) {
@@ -99,7 +99,7 @@ void ViewRenderer::show_in_thread(const ViewState& state) {
 }
 
 void ViewRenderer::tell_shortcomings() {
-  for (const QString& text : drawing_->shortcomings()) {
+  for (const QString& text : drawing_->limitations()) {
     if (told_.contains(text)) continue;
     told_ += text;
     warn(text);
@@ -116,12 +116,12 @@ void ViewRenderer::select_in_thread(const ViewRegion& region) {
   const bool selects_through = region.selects_through || drawing_ == nullptr;
   if (drawing_ != nullptr) show_in_thread(region.state);
   const ViewState& state = drawing_ != nullptr ? drawing_->state() : region.state;
-  const SeenScene seen{*state.objects, state.shapes, state.request.camera, state.size};
+  const ProjectedScene projected{*state.objects, state.shapes, state.request.camera, state.size};
   QPolygonF polygon;
   for (const QPointF& corner : region.polygon) polygon << corner * state.screen.pixel_ratio;
   const FaceSelection selection = selects_through
-                                      ? all_in_region(seen, polygon)
-                                      : seen_in_region(seen, polygon, [this](const QRect& rectangle) {
+                                      ? all_in_region(projected, polygon)
+                                      : visible_in_region(projected, polygon, [this](const QRect& rectangle) {
                                           return drawing_->faces_in(rectangle);
                                         });
   QMetaObject::invokeMethod(

@@ -52,7 +52,7 @@ class ViewRenderer : public QObject {
 
  private:
   /// The pending requests of the thread.
-  struct Orders {
+  struct Requests {
     std::optional<ViewState> state;
     std::optional<ViewRegion> region;
     bool is_end = false;
@@ -60,13 +60,13 @@ class ViewRenderer : public QObject {
     bool empty() const { return !state && !region && !is_end; }
   };
 
-  void order(const std::function<void(Orders&)>& change);
+  void request(const std::function<void(Requests&)>& change);
 
   // Run in the thread.
   void run(QOpenGLContext* context);
   void make_drawing(QOpenGLContext* context);
-  Orders next_orders();
-  bool has_orders();
+  Requests next_requests();
+  bool has_requests();
   void show_in_thread(const ViewState& state);
   void select_in_thread(const ViewRegion& region);
   void tell_image();
@@ -75,8 +75,8 @@ class ViewRenderer : public QObject {
 
   const GraphicsDriver driver_;
   std::mutex mutex_;
-  std::condition_variable ordered_;
-  Orders orders_;  // by the mutex
+  std::condition_variable requested_;
+  Requests requests_;  // by the mutex
   bool is_running_ = false;
   // Used in the thread:
   std::unique_ptr<ViewDrawing> drawing_;  // null: nothing can be drawn

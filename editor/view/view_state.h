@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "editor/document/face_selection.h"
+#include "editor/view/frame_renderer.h"
 #include "editor/view/geometry_store.h"
 #include "editor/view/overlay_painter.h"
-#include "editor/view/picture_painter.h"
 #include "editor/view/texture_store.h"
 
 namespace editor {
@@ -27,7 +27,7 @@ struct ViewState {
   std::shared_ptr<const FaceSelection> selection;
   std::vector<MeshShape> shapes;
   std::vector<ReadTexture> textures;
-  PictureRequest request;
+  FrameRequest request;
   QSize size;  ///< device pixels
   OverlayPainter::Screen screen;
   ViewColours colours;

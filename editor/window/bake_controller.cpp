@@ -46,16 +46,16 @@ void BakeController::take(const BakedIrradiance& irradiance, const IrradianceBak
   document_.replace(tr("Bake irradiance"), std::move(irradiated.scene));
   QStringList messages = {tr("Irradiance baked. Save the scene as IGRF to keep it.")};
   if (!result.messages.isEmpty()) messages << result.messages.trimmed();
-  if (irradiated.left_alone > 0) {
+  if (irradiated.skipped > 0) {
     messages << tr("%n mesh(es) were edited meanwhile and keep their old irradiance.", nullptr,
-                   static_cast<int>(irradiated.left_alone));
+                   static_cast<int>(irradiated.skipped));
   }
-  if (irradiated.dissolved > 0) {
+  if (irradiated.expanded_includes > 0) {
     messages << tr(
         "Files that are included several times receive different light at each place, and are part of the "
         "scene now.");
   }
-  emit told(messages.join('\n'));
+  emit status_message(messages.join('\n'));
 }
 
 }  // namespace editor

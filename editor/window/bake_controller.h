@@ -26,7 +26,7 @@ class BakeController : public QObject {
   bool is_running() const { return bake_.is_running(); }
 
  signals:
-  void told(const QString& message);
+  void status_message(const QString& message);
   void failed(const QString& why);
 
  private:

@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "editor/appearance/theme.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/jobs/job_list.h"
 #include "editor/rendering/render_report.h"
 

@@ -18,8 +18,8 @@
 #include "editor/appearance/theme.h"
 #include "editor/brdf/brdf_editor.h"
 #include "editor/brdf/live_sphere.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/notice_bar.h"
-#include "editor/controls/parts.h"
 #include "editor/panels/light_panel.h"
 #include "editor/panels/message_panel.h"
 #include "editor/panels/scene_tree.h"
@@ -27,18 +27,18 @@
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/bake_controller.h"
-#include "editor/window/brdf_link.h"
+#include "editor/window/brdf_controller.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/image_controller.h"
 #include "editor/window/job_panel.h"
 #include "editor/window/mesh_actions.h"
 #include "editor/window/pages.h"
 #include "editor/window/recovery_controller.h"
-#include "editor/window/render_link.h"
+#include "editor/window/render_controller.h"
 #include "editor/window/selection_actions.h"
 #include "editor/window/status_line.h"
 #include "editor/window/view_actions.h"
-#include "editor/window/view_link.h"
+#include "editor/window/view_controller.h"
 #include "renderer/reflectance/scheme.h"
 
 namespace editor {
@@ -57,11 +57,11 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   setAcceptDrops(true);
   resize(200 * Grid, 125 * Grid);
   // Notices about the former scene are hidden; those about the new one follow.
-  connect(&document_, &Document::taken, notice_, &QWidget::hide);
+  connect(&document_, &Document::scene_replaced, notice_, &QWidget::hide);
   make_docks();
-  render_link_ = new RenderLink(document_, *view_, *render_, *this);
-  view_link_ = new ViewLink(document_, catalogue_, *view_, *render_link_, this);
-  brdf_link_ = new BrdfLink(document_, *brdf_editor_, this);
+  render_controller_ = new RenderController(document_, *view_, *render_, *this);
+  view_controller_ = new ViewController(document_, catalogue_, *view_, *render_controller_, this);
+  brdf_controller_ = new BrdfController(document_, *brdf_editor_, this);
   view_actions_ = new ViewActions(*view_, *this);
   selection_actions_ = new SelectionActions(document_, *view_, *this);
   mesh_actions_ = new MeshActions(document_, jobs_, *this);
@@ -74,7 +74,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   docks_.keep_as_default();
   docks_.restore(QSettings());
   show_title();
-  tell(tr("Open a scene or a model, or drop one here"));
+  show_status(tr("Open a scene or a model, or drop one here"));
   view_->setFocus();
 }
 
@@ -93,7 +93,7 @@ void MainWindow::lay_out() {
   bar->addSeparator();
   selection_actions_->fill(*bar);
   bar->addSeparator();
-  render_link_->fill(*bar);
+  render_controller_->fill(*bar);
   bar->addSeparator();
   bar->addAction(render_->preview_action());
   bar->addAction(render_->render_action());
@@ -154,7 +154,7 @@ void MainWindow::make_docks() {
 }
 
 void MainWindow::connect_files() {
-  connect(files_, &FileActions::done, this, &MainWindow::tell);
+  connect(files_, &FileActions::done, this, &MainWindow::show_status);
   connect(files_, &FileActions::failed, this, &MainWindow::fail_file);
   connect(files_, &FileActions::reported, messages_, &MessagePanel::show_diagnostics);
   connect(&files_->outside_changes(), &OutsideChanges::found, this, &MainWindow::tell_of_outside_changes);
@@ -163,25 +163,25 @@ void MainWindow::connect_files() {
     const std::size_t count = jobs_.jobs().size();
     docks_.action_of(job_dock_)->setText(count == 0 ? tr("Jobs") : tr("Jobs (%1)").arg(count));
   });
-  connect(&document_, &Document::taken, this, [this] { pages_->setCurrentIndex(0); });
+  connect(&document_, &Document::scene_replaced, this, [this] { pages_->setCurrentIndex(0); });
   connect(&document_, &Document::path_changed, this, &MainWindow::show_title);
-  connect(&document_, &Document::told, this, &MainWindow::tell);
+  connect(&document_, &Document::status_message, this, &MainWindow::show_status);
   connect(&document_, &Document::modified_changed, this, &MainWindow::show_title);
-  connect(recovery_, &RecoveryController::told, this, &MainWindow::tell);
+  connect(recovery_, &RecoveryController::status_message, this, &MainWindow::show_status);
   connect(recovery_, &RecoveryController::failed, this, &MainWindow::fail);
 }
 
 void MainWindow::connect_panels() {
   connect(view_, &SceneView::hovered, status_, &StatusLine::show_hovered);
-  connect(view_, &SceneView::message, this, &MainWindow::tell);
+  connect(view_, &SceneView::message, this, &MainWindow::show_status);
   connect(view_, &SceneView::warned, messages_, &MessagePanel::add_warning);
   connect(&brdf_editor_->sphere(), &LiveSphere::warned, messages_, &MessagePanel::add_warning);
-  connect(mesh_actions_, &MeshActions::told, this, &MainWindow::tell);
+  connect(mesh_actions_, &MeshActions::status_message, this, &MainWindow::show_status);
   connect(mesh_actions_, &MeshActions::failed, this, &MainWindow::fail);
-  connect(view_link_, &ViewLink::failed, this, &MainWindow::fail);
-  connect(view_link_, &ViewLink::told, this, &MainWindow::tell);
-  connect(brdf_link_, &BrdfLink::failed, this, &MainWindow::fail);
-  connect(&document_, &Document::lit_by_a_plain_sky, this, [this] {
+  connect(view_controller_, &ViewController::failed, this, &MainWindow::fail);
+  connect(view_controller_, &ViewController::status_message, this, &MainWindow::show_status);
+  connect(brdf_controller_, &BrdfController::failed, this, &MainWindow::fail);
+  connect(&document_, &Document::scene_has_no_lights, this, [this] {
     notice_->show_notice(
         NoticeBar::Kind::Information,
         tr("The scene has no lights. Until it has one, renders use a grey sky."),
@@ -194,7 +194,7 @@ void MainWindow::connect_panels() {
     brdf_editor_->form().setFocus();
   });
   connect(surface_, &SurfacePanel::pick_requested, this,
-          [this] { view_link_->pick_face([this](FaceId face) { surface_->take_from(face); }); });
+          [this] { view_controller_->pick_face([this](FaceId face) { surface_->take_from(face); }); });
   connect(surface_, &SurfacePanel::bake_requested, bake_, &BakeController::bake);
   connect(messages_, &MessagePanel::place_requested, pages_, &Pages::show_source);
   connect(messages_, &MessagePanel::chosen, tree_,
@@ -206,7 +206,7 @@ void MainWindow::connect_panels() {
     action->setText(count == 0 ? tr("Messages") : tr("Messages (%1)").arg(count));
     action->setIcon(icon(errors > 0 ? "error" : count > 0 ? "warning" : "note"));
   });
-  connect(bake_, &BakeController::told, this, &MainWindow::tell);
+  connect(bake_, &BakeController::status_message, this, &MainWindow::show_status);
   connect(bake_, &BakeController::failed, this, &MainWindow::fail);
 }
 
@@ -254,7 +254,7 @@ void MainWindow::show_title() {
   setWindowModified(document_.is_modified());
 }
 
-void MainWindow::tell(const QString& message) { status_->tell(message); }
+void MainWindow::show_status(const QString& message) { status_->show_status(message); }
 
 void MainWindow::fail(const QString& message) {
   notice_->show_notice(NoticeBar::Kind::Error, message.trimmed());

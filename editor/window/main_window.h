@@ -16,7 +16,7 @@ namespace editor {
 
 class BakeController;
 class BrdfEditor;
-class BrdfLink;
+class BrdfController;
 class FileActions;
 class ImageBrowser;
 class ImageController;
@@ -26,7 +26,7 @@ class MessagePanel;
 class NoticeBar;
 class Pages;
 class RecoveryController;
-class RenderLink;
+class RenderController;
 class RenderPanel;
 class SceneTree;
 class SceneView;
@@ -34,7 +34,7 @@ class SelectionActions;
 class StatusLine;
 class SurfacePanel;
 class ViewActions;
-class ViewLink;
+class ViewController;
 
 /// The 3D view of a document, its docks, and the controllers that connect them. The only modal dialogs are
 /// those about files.
@@ -59,7 +59,7 @@ class MainWindow : public QMainWindow {
   SurfacePanel& surface_panel() { return *surface_; }
   SceneTree& scene_tree() { return *tree_; }
   RenderPanel& render_panel() { return *render_; }
-  RenderLink& render_link() { return *render_link_; }
+  RenderController& render_controller() { return *render_controller_; }
   MessagePanel& message_panel() { return *messages_; }
   NoticeBar& notice() { return *notice_; }
   StatusLine& status_line() { return *status_; }
@@ -83,7 +83,7 @@ class MainWindow : public QMainWindow {
   void connect_panels();
   void connect_renders();
   void show_title();
-  void tell(const QString& message);
+  void show_status(const QString& message);
   void fail(const QString& message);
   void fail_file(const QString& message);
   void tell_of_outside_changes(const QStringList& files);
@@ -116,9 +116,9 @@ class MainWindow : public QMainWindow {
   QDockWidget* message_dock_ = nullptr;
   QDockWidget* brdf_dock_ = nullptr;
   QDockWidget* job_dock_ = nullptr;
-  RenderLink* render_link_ = nullptr;
-  ViewLink* view_link_ = nullptr;
-  BrdfLink* brdf_link_ = nullptr;
+  RenderController* render_controller_ = nullptr;
+  ViewController* view_controller_ = nullptr;
+  BrdfController* brdf_controller_ = nullptr;
   ViewActions* view_actions_ = nullptr;
   SelectionActions* selection_actions_ = nullptr;
   MeshActions* mesh_actions_ = nullptr;

@@ -20,12 +20,12 @@
 #include "editor/window/file_actions.h"
 #include "editor/window/main_window.h"
 #include "editor/window/mesh_actions.h"
-#include "editor/window/render_link.h"
+#include "editor/window/render_controller.h"
 #include "editor/window/selection_actions.h"
 #include "editor/window/shortcut_list.h"
 #include "editor/window/tools.h"
 #include "editor/window/view_actions.h"
-#include "editor/window/view_link.h"
+#include "editor/window/view_controller.h"
 
 namespace editor {
 namespace {
@@ -52,7 +52,7 @@ void MainWindow::make_menus() {
   QMenu* view = add_menu(*menuBar(), tr("&View"));
   view_actions_->fill(*view);
   view->addSeparator();
-  render_link_->fill(*view);
+  render_controller_->fill(*view);
   make_scene_menu();
   QMenu* render = add_menu(*menuBar(), tr("&Render"));
   render->addActions({render_->preview_action(), render_->render_action(), render_->stop_action()});
@@ -96,7 +96,7 @@ void MainWindow::make_scene_menu() {
                              [this] { lights_->add(); }));
   menu->addAction(new_action(
       *this, {tr("Add an &observer"), "observer", {}, tr("Add an observer at the viewpoint of the 3D view")},
-      [this] { view_link_->add_observer(); }));
+      [this] { view_controller_->add_observer(); }));
   menu->addSeparator();
   menu->addActions(mesh_actions_->of_meshes());
   menu->addSeparator();

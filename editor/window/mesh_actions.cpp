@@ -85,7 +85,7 @@ void MeshActions::subdivide(convert::SubdivisionScheme scheme) {
   const FaceSelection selection = selected_or_all();
   const SelectedFaces faces = {document_.scene(), document_.objects(), selection};
   const double after = faces_after(faces, once);
-  if (after == 0) return emit told(tr("The scene has no mesh"));
+  if (after == 0) return emit status_message(tr("The scene has no mesh"));
   if (after > MostFaces) {
     return emit failed(
         tr("Cannot subdivide: the meshes would have %1 faces, too many for the editor. Subdivide the "
@@ -96,18 +96,18 @@ void MeshActions::subdivide(convert::SubdivisionScheme scheme) {
   const bool had_irradiance = common.irradiance.value || common.irradiance.is_mixed;
   start(tr("Subdivide"), selection,
         [once](const SelectedFaces& selected) { return with_subdivided_meshes(selected, once); });
-  if (had_irradiance) emit told(tr("Subdivided meshes lost their irradiance: bake it again"));
+  if (had_irradiance) emit status_message(tr("Subdivided meshes lost their irradiance: bake it again"));
 }
 
 void MeshActions::smooth() {
   const FaceSelection selection = selected_or_all();
-  if (selection.empty()) return emit told(tr("The scene has no mesh"));
+  if (selection.empty()) return emit status_message(tr("The scene has no mesh"));
   start(tr("Smooth vertices"), selection,
         [](const SelectedFaces& selected) { return with_smooth_meshes(selected, SmoothingSteps); });
 }
 
 void MeshActions::remove() {
-  if (document_.selection().empty()) return emit told(tr("No face is selected"));
+  if (document_.selection().empty()) return emit status_message(tr("No face is selected"));
   start(tr("Delete faces"), document_.selection(), without_faces);
 }
 

@@ -30,7 +30,7 @@ class MeshActions : public QObject {
 
  signals:
   /// Emitted with a message for the status line.
-  void told(const QString& message);
+  void status_message(const QString& message);
   /// Emitted with the reason why something could not be done.
   void failed(const QString& why);
 

@@ -7,7 +7,7 @@
 namespace editor {
 OutsideChanges::OutsideChanges(const Document& document, QObject* parent)
     : QObject(parent), document_(document), watch_(this) {
-  connect(&document, &Document::taken, this, &OutsideChanges::follow);
+  connect(&document, &Document::scene_replaced, this, &OutsideChanges::follow);
   connect(&document, &Document::saved, this, &OutsideChanges::follow);
   connect(&watch_, &FileWatch::changed, this, &OutsideChanges::compare);
 }

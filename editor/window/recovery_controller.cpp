@@ -94,7 +94,7 @@ void RecoveryController::take(const LostWork& work, ReadWork read) {
   connect(
       &recovery_, &Recovery::kept, this, [work] { Recovery::discard(work); }, Qt::SingleShotConnection);
   recovery_.keep();
-  emit told(tr("Recovered: save the scene to keep it"));
+  emit status_message(tr("Recovered: save the scene to keep it"));
 }
 
 }  // namespace editor

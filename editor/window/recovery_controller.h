@@ -24,7 +24,7 @@ class RecoveryController : public QObject {
   void offer_lost_work();
 
  signals:
-  void told(const QString& message);
+  void status_message(const QString& message);
   void failed(const QString& why);
 
  private:

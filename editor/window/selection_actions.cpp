@@ -72,23 +72,23 @@ void SelectionActions::make_angles() {
 }
 
 void SelectionActions::make_likenesses() {
-  const auto add_likeness = [this](const QString& text, Likeness likeness, const QString& tip,
-                                   const QKeySequence& keys = {}) {
-    likenesses_.append(add(text, keys, tip, [this, likeness](const FaceSelection& selection) {
-      return alike(selection, document_.objects(), likeness);
+  const auto add_similar = [this](const QString& text, SimilarBy by, const QString& tip,
+                                  const QKeySequence& keys = {}) {
+    similar_.append(add(text, keys, tip, [this, by](const FaceSelection& selection) {
+      return select_similar(selection, document_.objects(), by);
     }));
   };
-  add_likeness(tr("&BRDF"), Likeness::Brdf, tr("Select all faces with the same BRDF as a selected one"),
-               QKeySequence("Ctrl+Shift+B"));
-  add_likeness(tr("&Sampling"), Likeness::Pdf,
-               tr("Select all faces with the same sampling scheme as a selected one"));
-  add_likeness(tr("&Colour"), Likeness::Colour,
-               tr("Select all faces with the same colour as a selected one"));
-  add_likeness(tr("&Texture"), Likeness::Texture,
-               tr("Select all faces with the same texture as a selected one"));
-  add_likeness(tr("&Emission"), Likeness::Emission,
-               tr("Select all faces with the same emission as a selected one"));
-  add_likeness(tr("&All"), Likeness::All, tr("Select all faces with the same surface as a selected one"));
+  add_similar(tr("&BRDF"), SimilarBy::Brdf, tr("Select all faces with the same BRDF as a selected one"),
+              QKeySequence("Ctrl+Shift+B"));
+  add_similar(tr("&Sampling"), SimilarBy::Pdf,
+              tr("Select all faces with the same sampling scheme as a selected one"));
+  add_similar(tr("&Colour"), SimilarBy::Colour,
+              tr("Select all faces with the same colour as a selected one"));
+  add_similar(tr("&Texture"), SimilarBy::Texture,
+              tr("Select all faces with the same texture as a selected one"));
+  add_similar(tr("&Emission"), SimilarBy::Emission,
+              tr("Select all faces with the same emission as a selected one"));
+  add_similar(tr("&All"), SimilarBy::All, tr("Select all faces with the same surface as a selected one"));
 }
 
 void SelectionActions::make_gestures(SceneView& view) {
@@ -109,9 +109,9 @@ void SelectionActions::fill(QMenu& menu) {
   QMenu* angles = menu.addMenu(tr("C&oplanar"));
   angles->setToolTipsVisible(true);
   angles->addActions(angles_);
-  QMenu* alike_menu = menu.addMenu(tr("Select simila&r"));
-  alike_menu->setToolTipsVisible(true);
-  alike_menu->addActions(likenesses_);
+  QMenu* similar_menu = menu.addMenu(tr("Select simila&r"));
+  similar_menu->setToolTipsVisible(true);
+  similar_menu->addActions(similar_);
   menu.addSeparator();
   menu.addActions(gestures_);
 }

@@ -37,7 +37,7 @@ class SelectionActions : public QObject {
   QWidget& window_;
   QList<QAction*> whole_;  ///< all, none, invert
   QList<QAction*> neighbours_;
-  QList<QAction*> likenesses_;
+  QList<QAction*> similar_;
   QList<QAction*> angles_;
   QList<QAction*> gestures_;
 };

@@ -13,7 +13,7 @@
 #include <QVBoxLayout>
 
 #include "editor/appearance/theme.h"
-#include "editor/controls/parts.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/window/source_text.h"
 
 namespace editor {

@@ -46,13 +46,13 @@ StatusLine::StatusLine(const Document& document, const JobList& jobs, QStatusBar
   connect(cancel_, &QToolButton::clicked, this, [this] {
     if (job_) job_->cancel();
   });
-  patience_.setSingleShot(true);
-  patience_.setInterval(200);
-  connect(&patience_, &QTimer::timeout, this, &StatusLine::show_job);
+  show_delay_.setSingleShot(true);
+  show_delay_.setInterval(200);
+  connect(&show_delay_, &QTimer::timeout, this, &StatusLine::show_job);
   connect(&jobs_, &JobList::changed, this, [this] {
     const bool is_idle = jobs_.jobs().empty();
     if (job_ || is_idle) return show_job();
-    if (!patience_.isActive()) patience_.start();
+    if (!show_delay_.isActive()) show_delay_.start();
   });
   connect(&document_, &Document::selection_changed, this, &StatusLine::count);
   connect(&document_, &Document::changed, this, &StatusLine::count);
@@ -68,7 +68,7 @@ void StatusLine::count() {
                             counted(objects.triangles, tr("1 triangle"), tr("%1 triangles"))));
 }
 
-void StatusLine::tell(const QString& message) {
+void StatusLine::show_status(const QString& message) {
   told_ = message;
   message_->setText(message);
   message_->setToolTip(message);

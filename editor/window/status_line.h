@@ -24,7 +24,7 @@ class StatusLine : public QObject {
  public:
   StatusLine(const Document& document, const JobList& jobs, QStatusBar& bar);
 
-  void tell(const QString& message);
+  void show_status(const QString& message);
   void show_hovered(const QString& text);
   QString message() const;
 
@@ -41,7 +41,7 @@ class StatusLine : public QObject {
   QLabel* counts_;
   QString told_;
   QPointer<Job> job_;  ///< the displayed one
-  QTimer patience_;    ///< delays the display of a job, so that short ones are not shown
+  QTimer show_delay_;  ///< delays the display of a job, so that short ones are not shown
 };
 
 }  // namespace editor

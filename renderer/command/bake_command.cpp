@@ -106,7 +106,7 @@ ExitCode bake(const BakeArguments& arguments) {
   std::optional<job::BakeJob> job;
   std::optional<transport::BakePoints> points;
   std::optional<Bake> bake;
-  Interruption interruption;  // destroyed before the bake that it stops
+  SignalHandler signal_handler;  // destroyed before the bake that it stops
   Diagnostics diagnostics;
   auto render_options = read_options(arguments.scene, diagnostics);
   if (render_options) {
@@ -126,12 +126,12 @@ ExitCode bake(const BakeArguments& arguments) {
   ProgressReport progress(progress_style_of(arguments.progress));
   Diagnostics of_run;
   const RunSettings settings = run_settings_of(*render_options, arguments.directions, diagnostics);
-  const bool has_run = run(*bake, interruption, settings, progress, of_run);
+  const bool has_run = run(*bake, signal_handler, settings, progress, of_run);
   print(of_run);
   if (!has_run || !keep(*bake, *job, render_options->scene, arguments.output)) return ExitCode::BadInput;
   progress.finish(bake->progress(), arguments.output);
   print_summary(*bake, arguments);
-  return interruption.has_come() ? ExitCode::Interrupted : ExitCode::Done;
+  return signal_handler.was_signalled() ? ExitCode::Interrupted : ExitCode::Done;
 }
 
 }  // namespace command

@@ -20,7 +20,7 @@
 #include "renderer/command/sampling_plot.h"
 #include "renderer/plot/svg.h"
 #include "renderer/reflectance/albedo.h"
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/merl_table.h"
 #include "renderer/reflectance/scheme.h"
 
@@ -77,7 +77,7 @@ InterpolationError interpolation_error(const reflectance::MerlTable& table, cons
   constexpr float LeastCosine = 0.0871557F;
   InterpolationError error;
   for (std::uint32_t i = 0; i < Count; ++i) {
-    const reflectance::Uniforms xi = reflectance::even_point(i);
+    const reflectance::Uniforms xi = reflectance::halton_point(i);
     const float cosine = 1 - xi.choice * (1 - LeastCosine);
     const Vec3f u = reflectance::from_angles(cosine, std::sqrt(1 - cosine * cosine), 0);
     const float other = 1 - xi.direction.x * (1 - LeastCosine);
@@ -104,7 +104,7 @@ nlohmann::ordered_json to_json(const grf::ModelInfo& model) {
   return {{"keyword", model.keyword},
           {"title", model.title},
           {"paper", model.paper},
-          {"about", model.about},
+          {"about", model.description},
           {"formula", model.formula},
           {"example", model.example},
           {"parameters", parameters},
@@ -135,7 +135,7 @@ std::string wrapped(std::string_view words, std::string_view indent) {
 
 void print_model(const grf::ModelInfo& model) {
   fmt::print("{:<14} {}{}{}\n", model.keyword, model.title, model.paper.empty() ? "" : ". ", model.paper);
-  if (!model.about.empty()) fmt::print("{}\n", wrapped(model.about, "    "));
+  if (!model.description.empty()) fmt::print("{}\n", wrapped(model.description, "    "));
   for (const grf::ParameterInfo& parameter : model.parameters) {
     fmt::print("    {:<8} {} to {}, {} by default: {}\n", parameter.name, parameter.minimum,
                parameter.maximum,
@@ -198,7 +198,8 @@ ExitCode export_brdf(const BrdfArguments& arguments) {
   std::string why_not;
   if (reflectance::is_anisotropic(reflector->brdf()))
     why_not = "it is anisotropic, and the MERL format holds isotropic BRDFs only";
-  if (reflectance::has_mirror(reflector->brdf())) why_not = "its specular (delta) part has no finite value";
+  if (reflectance::has_specular_part(reflector->brdf()))
+    why_not = "its specular (delta) part has no finite value";
   if (!why_not.empty())
     diagnostics.error(grf::whole_file(arguments.output), "cannot export the BRDF: " + why_not);
   const auto value = [&](const Vec3f& u, const Vec3f& v) { return reflector->evaluate(u, v); };

@@ -42,10 +42,10 @@ std::optional<reflectance::Scheme> scheme_of(const std::string& pdf, const BrdfI
   const auto model = grf::read_pdf(pdf, "PDF", diagnostics);
   if (!model || !grf::check(*model, reflectance::scheme_infos(), "PDF", diagnostics)) return std::nullopt;
   const reflectance::Scheme scheme = reflectance::make_scheme(*model).value();
-  const std::string refusal = reflectance::refusal(scheme, instance.brdf);
-  if (refusal.empty()) return scheme;
+  const std::string unsupported_reason = reflectance::unsupported_reason(scheme, instance.brdf);
+  if (unsupported_reason.empty()) return scheme;
   diagnostics.error(model->location, fmt::format("the scheme '{}' cannot sample the BRDF '{}': {}",
-                                                 model->keyword, instance.model.keyword, refusal));
+                                                 model->keyword, instance.model.keyword, unsupported_reason));
   return std::nullopt;
 }
 

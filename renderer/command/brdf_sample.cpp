@@ -26,21 +26,21 @@ using reflectance::Vec3f;
 /// Writes samples as JSON. `pdfs` and `values` leave out the specular (delta) part, with 0 as its pdf.
 nlohmann::ordered_json to_json(const SampledInstance& instance, const Vec3f& u, const DrawnSamples& drawn) {
   auto directions = nlohmann::ordered_json::array();
-  auto densities = nlohmann::ordered_json::array();
+  auto pdfs = nlohmann::ordered_json::array();
   auto values = nlohmann::ordered_json::array();
   auto weights = nlohmann::ordered_json::array();
   for (const ScatterSample& sample : drawn.samples) {
     directions.push_back(json_array(sample.direction));
-    densities.push_back(grf::shortest(sample.density));
+    pdfs.push_back(grf::shortest(sample.pdf));
     values.push_back(json_array(instance.reflector.evaluate(u, sample.direction)));
     weights.push_back(json_array(sample.weight));
   }
   return {{"directions", directions},
-          {"pdfs", densities},
+          {"pdfs", pdfs},
           {"values", values},
           {"weights", weights},
           {"rejected", drawn.rejected},
-          {"cosine_share", grf::shortest(instance.reflector.cosine_share())},
+          {"cosine_share", grf::shortest(instance.reflector.cosine_fraction())},
           {"build_seconds", instance.build_seconds},
           {"sample_seconds", drawn.seconds},
           {"bytes", instance.reflector.bytes()}};
@@ -50,14 +50,14 @@ nlohmann::ordered_json to_json(const SampledInstance& instance, const Vec3f& u, 
 void print_text(const SampledInstance& instance, const Vec3f& u, const DrawnSamples& drawn) {
   fmt::print("# {} directions and {} rejected samples\n", drawn.samples.size(), drawn.rejected);
   fmt::print("# built in {:.3g} s, {} bytes of tables, {:.3g} % of the samples cosine-weighted\n",
-             instance.build_seconds, instance.reflector.bytes(), 100 * instance.reflector.cosine_share());
+             instance.build_seconds, instance.reflector.bytes(), 100 * instance.reflector.cosine_fraction());
   fmt::print("# sampled in {:.3g} s, {:.0f} ns per sample\n", drawn.seconds,
              1e9 * drawn.seconds / static_cast<double>(drawn.count()));
   fmt::print("# x y z, pdf in 1/sr (0: specular), f in 1/sr as red green blue\n");
   for (const ScatterSample& sample : drawn.samples) {
     const Vec3f& v = sample.direction;
     const reflectance::Rgb f = instance.reflector.evaluate(u, v);
-    fmt::print("{} {} {} {} {} {} {}\n", v.x, v.y, v.z, sample.density, f.x, f.y, f.z);
+    fmt::print("{} {} {} {} {} {} {}\n", v.x, v.y, v.z, sample.pdf, f.x, f.y, f.z);
   }
 }
 
@@ -85,7 +85,7 @@ plot::FitFile fit_of(const SampledInstance& instance, const Angles& view, const 
   fit.phi = static_cast<float>(std::remainder(view.phi, 2 * std::numbers::pi));
   const Vec3f u = direction_of(view);
   for (const ScatterSample& sample : drawn.samples) {
-    if (sample.is_mirror) continue;
+    if (sample.is_specular) continue;
     fit.points.push_back(
         {sample.direction, reflectance::mean(instance.reflector.evaluate(u, sample.direction))});
   }

@@ -27,7 +27,7 @@ using grf::Diagnostics;
 using grf::ExitCode;
 using options::RenderOptions;
 using transport::CompiledScene;
-using transport::PixelPlacing;
+using transport::PixelSampling;
 
 bool is_naive(const CostLine& line) { return line.options.integrator == "naive"; }
 
@@ -47,10 +47,10 @@ class Subjects {
     auto compiled = compile(line, planned->compile_settings);
     planned->settings.integrator.environment = environment_;
     planned->settings.backplate = backplate_;
-    if (!job::load_surroundings(line.options, *planned, diagnostics_) || !compiled) return std::nullopt;
+    if (!job::load_environment(line.options, *planned, diagnostics_) || !compiled) return std::nullopt;
     if (planned->settings.integrator.environment) environment_ = planned->settings.integrator.environment;
     if (planned->settings.backplate) backplate_ = planned->settings.backplate;
-    if (has_centred_rays_) planned->settings.placing = PixelPlacing::Centre;
+    if (has_centred_rays_) planned->settings.pixel_sampling = PixelSampling::Centre;
     return CostSubject{std::move(compiled), std::move(planned->settings)};
   }
 
@@ -62,7 +62,7 @@ class Subjects {
     const auto known = compiled_.find(key);
     if (known != compiled_.end()) return known->second;
     auto scene = transport::compile(scene_, diagnostics_, settings);
-    if (!scene || !job::has_something(*scene, line.options, diagnostics_)) return nullptr;
+    if (!scene || !job::has_geometry(*scene, line.options, diagnostics_)) return nullptr;
     return compiled_.emplace(key, std::make_shared<const CompiledScene>(std::move(*scene))).first->second;
   }
 
@@ -226,7 +226,7 @@ int reference_samples_of(const CostArguments& arguments, int most_samples) {
 
 ExitCode cost(const CostArguments& arguments) {
   std::optional<CostSweep> sweep;
-  Interruption interruption;  // destroyed before the sweep that it stops
+  SignalHandler signal_handler;  // destroyed before the sweep that it stops
   Diagnostics diagnostics;
   auto render_options = read_options(arguments.scene, diagnostics);
   if (!render_options) {
@@ -251,10 +251,10 @@ ExitCode cost(const CostArguments& arguments) {
   if (!is_ready) return ExitCode::BadInput;
   sweep.emplace(plan);
   ProgressReport progress(progress_style_of(arguments.progress));
-  run_watched(*sweep, interruption, [&] { progress.show(sweep->progress()); });
+  run_watched(*sweep, signal_handler, [&] { progress.show(sweep->progress()); });
   const CostResult result = result_of(*sweep, plan, arguments, *lines, *render_options);
   if (!report(result, base, arguments, progress, sweep->progress())) return ExitCode::BadInput;
-  return interruption.has_come() ? ExitCode::Interrupted : ExitCode::Done;
+  return signal_handler.was_signalled() ? ExitCode::Interrupted : ExitCode::Done;
 }
 
 }  // namespace command

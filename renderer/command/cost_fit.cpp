@@ -7,7 +7,7 @@ namespace command {
 
 double PowerLaw::at(double x) const { return factor * std::pow(x, -exponent); }
 
-std::optional<double> PowerLaw::where(double y) const {
+std::optional<double> PowerLaw::inverse(double y) const {
   if (!(exponent > 0)) return std::nullopt;
   return std::pow(factor / y, 1 / exponent);
 }

@@ -21,7 +21,7 @@ struct PowerLaw {
 
   double at(double x) const;
   /// Returns the x at which y has this value; nothing if y does not fall.
-  std::optional<double> where(double y) const;
+  std::optional<double> inverse(double y) const;
 };
 
 /// Fits by least squares of the logarithms; nothing without two different x. All numbers must be over 0.

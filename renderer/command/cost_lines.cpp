@@ -77,7 +77,7 @@ bool set_scheme(const std::string& text, CostLine& line) {
   line.scheme = grf::read_pdf(text, std::string(PdfFlag), diagnostics);
   const bool is_right = line.scheme && check_scheme(*line.scheme, diagnostics);
   fmt::print(stderr, "{}", diagnostics.to_text());
-  if (is_right) line.options.name = line.scheme->keyword;
+  if (is_right) line.options.scheme = line.scheme->keyword;
   return is_right;
 }
 
@@ -206,7 +206,7 @@ std::vector<std::string> split_list(const std::string& text) {
 std::optional<std::vector<CostLine>> cost_lines(const Sweeps& sweeps, const RenderOptions& render_options) {
   Lines lines(1);
   lines[0].options = render_options;
-  lines[0].pdf = render_options.name.empty() ? "scene" : render_options.name;
+  lines[0].pdf = render_options.scheme.empty() ? "scene" : render_options.scheme;
   const auto pdf = sweeps.find(std::string(PdfFlag));
   const std::string schemes = pdf != sweeps.end() ? pdf->second : implied_scheme(sweeps);
   if (!schemes.empty() && !divide_by_scheme(schemes, lines)) return std::nullopt;

@@ -70,8 +70,8 @@ ordered_json json_of_reference(const CostResult& result) {
 
 // Reports as text and Markdown.
 
-std::string percent(const std::optional<double>& share) {
-  return share ? fmt::format("{:.3g} %", 100 * *share) : "none";
+std::string percent(const std::optional<double>& fraction) {
+  return fraction ? fmt::format("{:.3g} %", 100 * *fraction) : "none";
 }
 
 /// Formats times with two digits below a second: studies of small images take less than a tenth of one.
@@ -83,7 +83,7 @@ std::string time_text(double seconds) {
 std::string words_of(const CostLineResult& result) {
   const auto& law = result.fit.over_seconds;
   if (!law) return "too few rows to fit a curve.";
-  const auto seconds = law->where(OnePercent);
+  const auto seconds = law->inverse(OnePercent);
   if (!seconds) return "the error does not fall with time.";
   std::string words = fmt::format("half the error costs {:.1f} times the time; 1 % error takes about {}",
                                   std::pow(2, 1 / law->exponent), time_text(*result.seconds_for_1_percent()));
@@ -190,7 +190,7 @@ std::string csv_of(const CostResult& result) {
 }  // namespace
 
 std::optional<double> CostLineResult::seconds_for_1_percent() const {
-  const auto seconds = fit.over_seconds ? fit.over_seconds->where(OnePercent) : std::nullopt;
+  const auto seconds = fit.over_seconds ? fit.over_seconds->inverse(OnePercent) : std::nullopt;
   return seconds ? std::optional(*seconds + build_seconds) : std::nullopt;
 }
 

@@ -37,16 +37,16 @@ CostSweep::CostSweep(CostPlan plan)
       sampling_rates_(plan_.lines.size() + 1),
       start_(std::chrono::steady_clock::now()),
       rates_(plan_.lines.size() + 1) {
-  plan_pieces();
+  plan_tasks();
 }
 
-void CostSweep::plan_pieces() {
+void CostSweep::plan_tasks() {
   const std::size_t lines = plan_.lines.size();
   const int middle = plan_.samples[(plan_.samples.size() - 1) / 2];
-  for (std::size_t line = 0; line < lines; ++line) pieces_.push_back({Purpose::WarmUp, line, middle, 0});
+  for (std::size_t line = 0; line < lines; ++line) tasks_.push_back({Purpose::WarmUp, line, middle, 0});
   if (!plan_.given) {
-    pieces_.push_back({Purpose::WarmUp, lines, std::min(middle, plan_.reference_samples), 0});
-    pieces_.push_back({Purpose::Reference, lines, plan_.reference_samples, 0});
+    tasks_.push_back({Purpose::WarmUp, lines, std::min(middle, plan_.reference_samples), 0});
+    tasks_.push_back({Purpose::Reference, lines, plan_.reference_samples, 0});
   }
   for (std::size_t line = 0; line < lines; ++line) {
     for (const int samples : plan_.samples) rows_.push_back({line, samples, {}});
@@ -54,7 +54,7 @@ void CostSweep::plan_pieces() {
   for (int round = 0; round < plan_.rounds; ++round) {
     for (std::size_t i = 0; i < plan_.samples.size(); ++i) {
       for (std::size_t line = 0; line < lines; ++line) {
-        pieces_.push_back({Purpose::Row, line, plan_.samples[i], line * plan_.samples.size() + i});
+        tasks_.push_back({Purpose::Row, line, plan_.samples[i], line * plan_.samples.size() + i});
       }
     }
   }
@@ -66,19 +66,19 @@ const CostSubject& CostSweep::subject(std::size_t index) const {
 
 void CostSweep::run() {
   if (plan_.given) reference_ = CostReference{std::move(*plan_.given)};
-  for (const Piece& piece : pieces_) {
-    if (!render(piece)) return;
+  for (const Task& task : tasks_) {
+    if (!render(task)) return;
     const std::lock_guard lock(lock_);
     ++next_;
   }
 }
 
 /// Returns false if the sweep was stopped.
-bool CostSweep::render(const Piece& piece) {
-  const CostSubject& what = subject(piece.subject);
-  RenderSettings settings = with_samples(what.settings, piece.samples);
+bool CostSweep::render(const Task& task) {
+  const CostSubject& what = subject(task.subject);
+  RenderSettings settings = with_samples(what.settings, task.samples);
   settings.seed = transport::hash(plan_.seed, static_cast<std::uint32_t>(next_));
-  settings.integrator.measures_sampling = piece.purpose == Purpose::WarmUp;
+  settings.integrator.measures_sampling = task.purpose == Purpose::WarmUp;
   Render render(*what.scene, settings);
   {
     const std::lock_guard lock(lock_);
@@ -97,16 +97,16 @@ bool CostSweep::render(const Piece& piece) {
     current_ = nullptr;
   }
   if (render.end() == transport::RenderEnd::Stopped) return false;
-  keep(piece, render);
+  keep(task, render);
   return true;
 }
 
-void CostSweep::keep(const Piece& piece, const Render& render) {
-  switch (piece.purpose) {
+void CostSweep::keep(const Task& task, const Render& render) {
+  switch (task.purpose) {
     case Purpose::WarmUp: {
-      sampling_rates_[piece.subject] = render.sampling_seconds() / piece.samples;
+      sampling_rates_[task.subject] = render.sampling_seconds() / task.samples;
       const std::lock_guard lock(lock_);
-      rates_[piece.subject] = render.seconds() / piece.samples;
+      rates_[task.subject] = render.seconds() / task.samples;
       return;
     }
     case Purpose::Reference: {
@@ -115,7 +115,7 @@ void CostSweep::keep(const Piece& piece, const Render& render) {
       return;
     }
     case Purpose::Row:
-      add_to_row(render, rows_[piece.row]);
+      add_to_row(render, rows_[task.row]);
   }
 }
 
@@ -143,18 +143,17 @@ transport::RenderProgress CostSweep::progress() const {
   transport::RenderProgress progress;
   progress.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   const std::lock_guard lock(lock_);
-  if (next_ == pieces_.size()) {
+  if (next_ == tasks_.size()) {
     progress.done = 1;
     progress.seconds_left = 0;
     return progress;
   }
   // Before the warm-up is over, the time per sample is unknown.
-  if (pieces_[next_].purpose == Purpose::WarmUp) return progress;
+  if (tasks_[next_].purpose == Purpose::WarmUp) return progress;
   double left = 0;
-  for (std::size_t i = next_; i < pieces_.size(); ++i)
-    left += rates_[pieces_[i].subject] * pieces_[i].samples;
+  for (std::size_t i = next_; i < tasks_.size(); ++i) left += rates_[tasks_[i].subject] * tasks_[i].samples;
   if (current_ != nullptr) {
-    left -= current_->progress().done * rates_[pieces_[next_].subject] * pieces_[next_].samples;
+    left -= current_->progress().done * rates_[tasks_[next_].subject] * tasks_[next_].samples;
   }
   progress.seconds_left = left;
   progress.done = progress.seconds / (progress.seconds + left);

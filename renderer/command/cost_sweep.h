@@ -77,21 +77,21 @@ class CostSweep {
 
  private:
   enum class Purpose { WarmUp, Reference, Row };
-  struct Piece {
+  struct Task {
     Purpose purpose = Purpose::Row;
     std::size_t subject = 0;  ///< index of a line; the last index is the reference
     int samples = 0;
     std::size_t row = 0;
   };
 
-  void plan_pieces();
+  void plan_tasks();
   const CostSubject& subject(std::size_t index) const;
-  bool render(const Piece& piece);
-  void keep(const Piece& piece, const transport::Render& render);
+  bool render(const Task& task);
+  void keep(const Task& task, const transport::Render& render);
   void add_to_row(const transport::Render& render, CostRow& row);
 
   CostPlan plan_;
-  std::vector<Piece> pieces_;
+  std::vector<Task> tasks_;
   std::vector<CostRow> rows_;
   std::vector<double> sampling_rates_;  ///< sampling seconds per sample per pixel, of each subject
   std::optional<CostReference> reference_;
@@ -99,7 +99,7 @@ class CostSweep {
 
   mutable std::mutex lock_;    ///< guards the members below
   std::vector<double> rates_;  ///< render seconds per sample per pixel, of each subject
-  std::size_t next_ = 0;       ///< index of the current piece
+  std::size_t next_ = 0;       ///< index of the current task
   transport::Render* current_ = nullptr;
   bool is_stopped_ = false;
 };

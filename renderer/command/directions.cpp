@@ -24,9 +24,9 @@ std::optional<std::vector<double>> numbers_of(std::string_view text, std::size_t
   for (;;) {
     position = std::find_if_not(position, end, is_separator);
     if (position == end) break;
-    const auto [behind, error] = std::from_chars(position, end, numbers.emplace_back());
+    const auto [next, error] = std::from_chars(position, end, numbers.emplace_back());
     if (error != std::errc() || !std::isfinite(numbers.back())) return std::nullopt;
-    position = behind;
+    position = next;
   }
   if (numbers.size() < least || numbers.size() > most) return std::nullopt;
   return numbers;

@@ -17,7 +17,7 @@ using reflectance::Vec3f;
 
 constexpr int Subpixels = 2;  // along a side
 
-Point point_of(const Vec3f& v, const plot::Place& place) {
+Point point_of(const Vec3f& v, const plot::Rectangle& place) {
   return place.corner + Point((1 + v.x) / 2 * place.width, (1 - v.y) / 2 * place.height);
 }
 
@@ -54,13 +54,13 @@ DiscMap::DiscMap(const std::function<double(const Vec3f&)>& function) {
   }
 }
 
-void draw(const DiscMap& map, const plot::ColourScale& scale, const plot::Place& place, plot::Svg& svg) {
+void draw(const DiscMap& map, const plot::ColourScale& scale, const plot::Rectangle& place, plot::Svg& svg) {
   transport::Image image{DiscMap::Side, DiscMap::Side, {}};
   for (const DiscMap::Pixel& pixel : map.pixels()) {
     const grf::Colour encoded = scale.colour(pixel.value);
     const Rgb colour(grf::srgb_decoded(encoded.x), grf::srgb_decoded(encoded.y),
                      grf::srgb_decoded(encoded.z));
-    image.pixels.push_back(colour * pixel.covered + Rgb(1 - pixel.covered));
+    image.pixels.push_back(colour * pixel.coverage + Rgb(1 - pixel.coverage));
   }
   svg.image(place.corner, place.width, place.height, transport::encode_png({image}));
   const Point centre = place.corner + Point(place.width, place.height) / 2;
@@ -70,7 +70,7 @@ void draw(const DiscMap& map, const plot::ColourScale& scale, const plot::Place&
   svg.circle(centre, place.width / 2, {"#888", 1});
 }
 
-void draw_directions(std::span<const Vec3f> directions, const plot::Place& place, std::string_view colour,
+void draw_directions(std::span<const Vec3f> directions, const plot::Rectangle& place, std::string_view colour,
                      plot::Svg& svg) {
   constexpr double Radius = 0.9;
   std::vector<Point> points;
@@ -78,7 +78,7 @@ void draw_directions(std::span<const Vec3f> directions, const plot::Place& place
   svg.dots(points, Radius, colour);
 }
 
-void mark_view(const Vec3f& u, const plot::Place& place, plot::Svg& svg) {
+void mark_view(const Vec3f& u, const plot::Rectangle& place, plot::Svg& svg) {
   const Point centre = point_of(u, place);
   svg.circle(centre, 4, {"#fff", 3});
   svg.circle(centre, 4, {"#111", 1.2});

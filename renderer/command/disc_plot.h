@@ -23,8 +23,8 @@ class DiscMap {
   /// Pixels along a side.
   static constexpr int Side = 240;
   struct Pixel {
-    float value = 0;    ///< mean over the part inside the disc
-    float covered = 0;  ///< fraction of the pixel inside the disc
+    float value = 0;     ///< mean over the part inside the disc
+    float coverage = 0;  ///< fraction of the pixel inside the disc
   };
   const std::vector<Pixel>& pixels() const { return pixels_; }
 
@@ -34,13 +34,13 @@ class DiscMap {
   double largest_ = 0;
 };
 
-void draw(const DiscMap& map, const plot::ColourScale& scale, const plot::Place& place, plot::Svg& svg);
+void draw(const DiscMap& map, const plot::ColourScale& scale, const plot::Rectangle& place, plot::Svg& svg);
 
 /// Draws a dot per direction.
-void draw_directions(std::span<const reflectance::Vec3f> directions, const plot::Place& place,
+void draw_directions(std::span<const reflectance::Vec3f> directions, const plot::Rectangle& place,
                      std::string_view colour, plot::Svg& svg);
 
 /// Draws a ring at the view direction.
-void mark_view(const reflectance::Vec3f& u, const plot::Place& place, plot::Svg& svg);
+void mark_view(const reflectance::Vec3f& u, const plot::Rectangle& place, plot::Svg& svg);
 
 }  // namespace command

@@ -38,7 +38,7 @@ WeightStatistics statistics_of(const DrawnSamples& drawn, double albedo) {
     statistics.mean += weight / count;
     squares += weight * weight / count;
     statistics.largest = std::max(statistics.largest, weight);
-    statistics.mirrored += sample.is_mirror ? 1 / count : 0;
+    statistics.specular += sample.is_specular ? 1 / count : 0;
   }
   statistics.variance = std::max(0.0, squares - statistics.mean * statistics.mean);
   statistics.rejected = static_cast<double>(drawn.rejected) / count;

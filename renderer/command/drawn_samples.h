@@ -28,7 +28,7 @@ struct WeightStatistics {
   double mean = 0;      ///< 1 up to noise, unless the scheme is biased
   double variance = 0;  ///< rejected samples count as 0
   double largest = 0;
-  double mirrored = 0;  ///< fraction of samples from the specular (delta) part
+  double specular = 0;  ///< fraction of samples from the specular (delta) part
   double rejected = 0;  ///< fraction of samples with zero weight
 };
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "renderer/reflectance/albedo.h"
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 
 namespace command {
 namespace {
@@ -15,7 +15,7 @@ using reflectance::Uniforms;
 using reflectance::Vec3f;
 
 constexpr int SphereSubpixels = 2;  // along each side of a pixel
-constexpr int SamplesOfASubpixel = 24;
+constexpr int SamplesPerSubpixel = 24;
 constexpr float WindowRadiance = 12;
 constexpr float HalfWindow = 0.28F;  // half the side length, at distance 1
 
@@ -29,7 +29,7 @@ const Vec3f& to_window() {
 Vec3f across() { return Vec3f(0, 1, 0).cross(to_window()).normalized(); }
 Vec3f upwards() { return to_window().cross(across()); }
 
-float density_of_window(const Vec3f& direction) {
+float pdf_of_window(const Vec3f& direction) {
   const float cosine = direction.dot(to_window());
   if (cosine <= 0) return 0;
   const Vec3f at_window = direction / cosine;
@@ -44,7 +44,7 @@ Vec3f direction_to_window(const reflectance::Vec2f& xi) {
 }
 
 Rgb radiance_from(const Vec3f& direction) {
-  if (density_of_window(direction) > 0) return Rgb(WindowRadiance);
+  if (pdf_of_window(direction) > 0) return Rgb(WindowRadiance);
   const float sky = 0.5F + 0.5F * direction.y;
   return Rgb(0.12F, 0.12F, 0.13F) * (1 - sky) + Rgb(0.45F, 0.5F, 0.6F) * sky;
 }
@@ -59,7 +59,7 @@ float hashed(std::uint32_t pixel, std::uint32_t dimension) {
 
 /// Returns a sample of a pixel, decorrelated from its neighbours by a Cranley-Patterson rotation.
 Uniforms point_of_pixel(std::uint32_t pixel, std::uint32_t sample) {
-  const Uniforms even = reflectance::even_point(sample);
+  const Uniforms even = reflectance::halton_point(sample);
   const auto shifted = [pixel](float a, std::uint32_t dimension) {
     const float sum = a + hashed(pixel, dimension);
     return sum < 1 ? sum : sum - 1;
@@ -74,15 +74,15 @@ Rgb reflected(const Reflector& reflector, const reflectance::Frame& frame, const
   Rgb sum(0);
   if (const auto drawn = reflector.sample(u, xi)) {
     const Vec3f direction = frame.to_world(drawn->direction);
-    const float window = density_of_window(direction);
-    const float share = drawn->is_mirror || window == 0 ? 1 : drawn->density / (drawn->density + window);
-    sum += drawn->weight * radiance_from(direction) * share;
+    const float window = pdf_of_window(direction);
+    const float mis_weight = drawn->is_specular || window == 0 ? 1 : drawn->pdf / (drawn->pdf + window);
+    sum += drawn->weight * radiance_from(direction) * mis_weight;
   }
   const Vec3f direction = direction_to_window(xi.direction);
   const Vec3f v = frame.to_local(direction);
-  const float density = density_of_window(direction);
-  if (v.z > 0 && density > 0) {
-    const float weight = v.z / (density + reflector.density(u, v));
+  const float pdf = pdf_of_window(direction);
+  if (v.z > 0 && pdf > 0) {
+    const float weight = v.z / (pdf + reflector.pdf(u, v));
     sum += reflector.evaluate(u, v) * radiance_from(direction) * weight;
   }
   return sum;
@@ -99,7 +99,7 @@ reflectance::Frame frame_at(const Vec3f& normal) {
 }
 
 /// Tone maps a radiance by an exponential curve: linear where it is dim, saturating where it is bright.
-Rgb toned(const Rgb& radiance) {
+Rgb tone_mapped(const Rgb& radiance) {
   constexpr float Exposure = 1.3F;
   return Rgb(-std::expm1(-Exposure * radiance.x), -std::expm1(-Exposure * radiance.y),
              -std::expm1(-Exposure * radiance.z));
@@ -111,8 +111,8 @@ Rgb subpixel(const Reflector& reflector, int column, int row, int side) {
   const float centre = 0.5F * static_cast<float>(side);
   Rgb sum(0);
   float covered = 0;
-  for (std::uint32_t k = 0; k < SamplesOfASubpixel; ++k) {
-    const Uniforms place = reflectance::even_point(k + 1);
+  for (std::uint32_t k = 0; k < SamplesPerSubpixel; ++k) {
+    const Uniforms place = reflectance::halton_point(k + 1);
     const float x = (static_cast<float>(column) + place.direction.x - centre) / radius;
     const float y = (centre - static_cast<float>(row) - place.direction.y) / radius;
     const float z2 = 1 - x * x - y * y;
@@ -122,8 +122,8 @@ Rgb subpixel(const Reflector& reflector, int column, int row, int side) {
                      point_of_pixel(static_cast<std::uint32_t>(row * side + column), k));
     covered += 1;
   }
-  const float share = covered / static_cast<float>(SamplesOfASubpixel);
-  return covered > 0 ? toned(sum / covered) * share + Rgb(1 - share) : Rgb(1);
+  const float coverage = covered / static_cast<float>(SamplesPerSubpixel);
+  return covered > 0 ? tone_mapped(sum / covered) * coverage + Rgb(1 - coverage) : Rgb(1);
 }
 
 }  // namespace

@@ -12,13 +12,13 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
+#include "renderer/command/image_viewer_process.h"
 #include "renderer/command/plan_summary.h"
 #include "renderer/command/render_arguments.h"
 #include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_reports.h"
 #include "renderer/command/render_run.h"
-#include "renderer/command/viewer_program.h"
 #include "renderer/job/render_job.h"
 #include "renderer/transport/render.h"
 
@@ -102,7 +102,7 @@ std::string cause_text(const transport::NotFinite& cause, const CompiledScene& s
   std::string text = fmt::format("the {} is not finite", cause.term);
   if (!cause.where) return text;
   const std::uint32_t reflector = cause.where->surface->reflector;
-  if (reflector != transport::None) text += fmt::format(", on `{}`", scene.tables()[reflector].brdf);
+  if (reflector != transport::InvalidIndex) text += fmt::format(", on `{}`", scene.tables()[reflector].brdf);
   const grf::Vec3d place = grf::Vec3d(cause.where->position) + scene.origin();
   return text + fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", place.x, place.y, place.z);
 }
@@ -149,8 +149,8 @@ RunSettings run_settings_of(const RenderOptions& render_options, const std::stri
   if (!render_options.display_server.empty()) {
     settings.display = transport::display_address_of(render_options.display_server);
   } else if (render_options.shows_window) {
-    settings.display = transport::usual_display_address();
-    settings.viewer_care = [viewer = ViewerProgram()]() mutable { return viewer.keep(); };
+    settings.display = transport::default_display_address();
+    settings.viewer_launcher = [viewer = ImageViewerProcess()]() mutable { return viewer.ensure_running(); };
   }
   settings.title = output;
   return settings;
@@ -162,7 +162,7 @@ grf::ExitCode render(const RenderArguments& arguments) {
   const auto start = Clock::now();
   std::optional<job::RenderJob> job;
   std::optional<transport::Render> render;
-  Interruption interruption;  // destroyed before the render that it stops
+  SignalHandler signal_handler;  // destroyed before the render that it stops
   Diagnostics diagnostics;
   auto render_options = read_options(arguments.scene, diagnostics);
   std::vector<std::string> outputs;
@@ -178,14 +178,14 @@ grf::ExitCode render(const RenderArguments& arguments) {
   const double setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   ProgressReport progress(progress_style_of(arguments.progress));
   Diagnostics of_run;
-  const bool has_run = run(*render, interruption, settings, progress, of_run);
+  const bool has_run = run(*render, signal_handler, settings, progress, of_run);
   print(of_run);
   if (!has_run || !keep(*render, job->scene, job->settings.view, *render_options, outputs)) {
     return ExitCode::BadInput;
   }
   progress.finish(render->progress(), outputs.front());
   print(summary_of(*render, *render_options, outputs.front(), setup_seconds, job->plan), arguments);
-  return interruption.has_come() ? ExitCode::Interrupted : ExitCode::Done;
+  return signal_handler.was_signalled() ? ExitCode::Interrupted : ExitCode::Done;
 }
 
 }  // namespace command

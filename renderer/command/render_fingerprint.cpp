@@ -10,7 +10,7 @@ namespace command {
 namespace {
 
 /// Options that do not change the value of a sample. Files count by content, not by path.
-constexpr std::array<std::string_view, 17> Indifferent = {
+constexpr std::array<std::string_view, 17> NotHashed = {
     "BPT_Scene",          "BPT_Output_Image",  "BPT_EM_Background",    "BPT_Pdf_Factors_File",
     "BPT_Samples",        "BPT_TargetError",   "BPT_MaxTime",          "BPT_Checkpoint",
     "BPT_DisplayWindow",  "BPT_DisplayServer", "BPT_Layers",           "BPT_Threads",
@@ -18,8 +18,8 @@ constexpr std::array<std::string_view, 17> Indifferent = {
     "BPT_Chrono_Prebuild"};
 
 std::uint32_t sum_of_file(std::uint32_t before, const std::string& path) {
-  grf::Diagnostics unheard;  // the file was read a moment ago
-  const auto bytes = grf::read_file(path, unheard);
+  grf::Diagnostics ignored_diagnostics;  // the file was read a moment ago
+  const auto bytes = grf::read_file(path, ignored_diagnostics);
   const std::uint64_t size = bytes ? bytes->size() : 0;
   // The size separates consecutive files.
   before = transport::check_sum(before, {reinterpret_cast<const char*>(&size), sizeof(size)});
@@ -32,7 +32,7 @@ transport::Fingerprint fingerprint_of(const options::RenderOptions& render_optio
                                       std::set<std::string> files) {
   transport::Fingerprint fingerprint;
   for (const options::OptionInfo& option : options::option_table()) {
-    if (std::find(Indifferent.begin(), Indifferent.end(), option.key) != Indifferent.end()) continue;
+    if (std::find(NotHashed.begin(), NotHashed.end(), option.key) != NotHashed.end()) continue;
     std::string line(option.key);
     for (const std::string& word : options::option_words(render_options, option)) line += " " + word;
     fingerprint.options = transport::check_sum(fingerprint.options, line + "\n");

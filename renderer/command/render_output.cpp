@@ -126,9 +126,9 @@ transport::ImageFile image_file_of(const transport::Render& render, const transp
   file.layers = layers_of(render, scene, view, render_options);
 
   RenderOptions known = render_options;
-  known.viewer = view.eye;
+  known.eye = view.eye;
   known.target = view.target;
-  known.samples = render_options.samples_a_pixel();
+  known.samples = render_options.samples_per_pixel();
   add_options(known, file.attributes);
   file.attributes.push_back({"software", "Granada " GRANADA_VERSION});
   file.attributes.push_back({"worldToCamera", camera.world_to_camera()});

@@ -44,14 +44,14 @@ class CheckpointKeeper {
   Clock::time_point due_ = Clock::now() + Interval;
 };
 
-void say_problem(std::optional<transport::DisplayClient>& display) {
+void print_problem(std::optional<transport::DisplayClient>& display) {
   if (!display) return;
   if (const auto problem = display->take_problem()) fmt::print(stderr, "warning: {}\n", *problem);
 }
 
 /// Waits for the image viewer, which may start more slowly than a short render takes.
-void await_viewer(const transport::DisplayClient& display, const Interruption& interruption) {
-  while (display.is_connecting() && !interruption.has_come()) {
+void wait_for_viewer(const transport::DisplayClient& display, const SignalHandler& signal_handler) {
+  while (display.is_connecting() && !signal_handler.was_signalled()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
 }
@@ -64,26 +64,26 @@ bool resume(Work& work, const RunSettings& settings, grf::Diagnostics& diagnosti
 
 }  // namespace
 
-bool run(transport::Render& render, Interruption& interruption, const RunSettings& settings,
+bool run(transport::Render& render, SignalHandler& signal_handler, const RunSettings& settings,
          ProgressReport& progress, grf::Diagnostics& diagnostics) {
   if (!resume(render, settings, diagnostics)) return false;
   std::optional<transport::DisplayClient> display;
-  if (settings.display) display.emplace(render, *settings.display, settings.title, settings.viewer_care);
+  if (settings.display) display.emplace(render, *settings.display, settings.title, settings.viewer_launcher);
   CheckpointKeeper<transport::Render> checkpoint(render, settings);
   const auto watch = [&] {
     progress.show(render.progress());
-    say_problem(display);
+    print_problem(display);
     checkpoint.keep_if_due();
   };
-  run_watched(render, interruption, watch);
+  run_watched(render, signal_handler, watch);
   checkpoint.keep(diagnostics);
-  if (display && settings.viewer_care) await_viewer(*display, interruption);
+  if (display && settings.viewer_launcher) wait_for_viewer(*display, signal_handler);
   if (display) display->finish();
-  say_problem(display);
+  print_problem(display);
   return true;
 }
 
-bool run(transport::Bake& bake, Interruption& interruption, const RunSettings& settings,
+bool run(transport::Bake& bake, SignalHandler& signal_handler, const RunSettings& settings,
          ProgressReport& progress, grf::Diagnostics& diagnostics) {
   if (!resume(bake, settings, diagnostics)) return false;
   CheckpointKeeper<transport::Bake> checkpoint(bake, settings);
@@ -91,7 +91,7 @@ bool run(transport::Bake& bake, Interruption& interruption, const RunSettings& s
     progress.show(bake.progress());
     checkpoint.keep_if_due();
   };
-  run_watched(bake, interruption, watch);
+  run_watched(bake, signal_handler, watch);
   checkpoint.keep(diagnostics);
   return true;
 }

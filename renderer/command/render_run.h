@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "grf/diagnostics.h"
-#include "renderer/command/interruption.h"
 #include "renderer/command/render_progress.h"
+#include "renderer/command/signal_handler.h"
 #include "renderer/transport/bake_checkpoint.h"
 #include "renderer/transport/checkpoint.h"
 #include "renderer/transport/display_client.h"
@@ -21,27 +21,28 @@ struct RunSettings {
   std::string checkpoint;  ///< path; empty: none
   transport::Fingerprint fingerprint;
   std::optional<transport::DisplayAddress> display;
-  transport::ViewerCare viewer_care;  ///< starts an image viewer if none listens there; empty: starts none
-  std::string title;                  ///< of the displayed image
+  transport::ViewerLauncher
+      viewer_launcher;  ///< starts an image viewer if none listens there; empty: starts none
+  std::string title;    ///< of the displayed image
 };
 
 /// Runs a render to its end or until a signal: resumes it from its checkpoint, updates the checkpoint every
 /// minute and at the end, and shows progress and the image. Returns false, with nothing rendered, if it
 /// cannot resume from the checkpoint. A checkpoint that cannot be written, or a missing image viewer, is only
 /// a warning.
-bool run(transport::Render& render, Interruption& interruption, const RunSettings& settings,
+bool run(transport::Render& render, SignalHandler& signal_handler, const RunSettings& settings,
          ProgressReport& progress, grf::Diagnostics& diagnostics);
 
 /// Runs a bake likewise; there is no image to show.
-bool run(transport::Bake& bake, Interruption& interruption, const RunSettings& settings,
+bool run(transport::Bake& bake, SignalHandler& signal_handler, const RunSettings& settings,
          ProgressReport& progress, grf::Diagnostics& diagnostics);
 
 /// Runs any work to its end or until a signal, and polls `watch` every 10 ms. Rethrows the work's exceptions.
 template <class Work, class Watch>
-void run_watched(Work& work, Interruption& interruption, const Watch& watch) {
+void run_watched(Work& work, SignalHandler& signal_handler, const Watch& watch) {
   std::atomic<bool> ended = false;
   std::exception_ptr failure;
-  interruption.stops(work);
+  signal_handler.stop_on_signal(work);
   std::thread worker([&] {
     try {
       work.run();

@@ -28,8 +28,8 @@ constexpr double HeaderHeight = 118;
 constexpr double RowHeight = 268;
 constexpr double DiscSide = 200;
 // Left edges of the columns.
-constexpr double DensityAt = Left;
-constexpr double ScaleAt = DensityAt + DiscSide + 14;
+constexpr double PdfAt = Left;
+constexpr double ScaleAt = PdfAt + DiscSide + 14;
 constexpr double IdealAt = ScaleAt + 66;
 constexpr double PolarAt = IdealAt + DiscSide + 26;
 constexpr double WeightsAt = PolarAt + 312;
@@ -54,7 +54,7 @@ struct Row {
   DrawnSamples drawn;
   WeightStatistics statistics;
 
-  double density(const Vec3f& v) const { return instance.reflector.density(u, v); }
+  double pdf(const Vec3f& v) const { return instance.reflector.pdf(u, v); }
   double ideal(const Vec3f& v) const {
     if (!(statistics.albedo > 0)) return 0;
     return reflectance::mean(instance.reflector.evaluate(u, v)) * v.z / statistics.albedo;
@@ -75,18 +75,18 @@ Row row_of(const SampledInstance& instance, const Angles& view) {
 void draw_discs(const Row& row, double top, plot::Svg& svg) {
   // Pdfs are per area of the disc, i.e. per projected solid angle: even dots mean an even colour.
   const auto on_area = [](double per_solid_angle, const Vec3f& v) { return per_solid_angle / v.z; };
-  const DiscMap density([&](const Vec3f& v) { return on_area(row.density(v), v); });
+  const DiscMap pdf([&](const Vec3f& v) { return on_area(row.pdf(v), v); });
   const DiscMap ideal([&](const Vec3f& v) { return on_area(row.ideal(v), v); });
-  const plot::ColourScale scale(std::min(density.least(), ideal.least()),
-                                std::max(density.largest(), ideal.largest()));
+  const plot::ColourScale scale(std::min(pdf.least(), ideal.least()),
+                                std::max(pdf.largest(), ideal.largest()));
   std::vector<Vec3f> shown;
   constexpr std::size_t MostShown = 1000;
   for (const auto& sample : row.drawn.samples) {
-    if (!sample.is_mirror && shown.size() < MostShown) shown.push_back(sample.direction);
+    if (!sample.is_specular && shown.size() < MostShown) shown.push_back(sample.direction);
   }
-  const plot::Place left = {{DensityAt, top}, DiscSide, DiscSide};
-  const plot::Place right = {{IdealAt, top}, DiscSide, DiscSide};
-  draw(density, scale, left, svg);
+  const plot::Rectangle left = {{PdfAt, top}, DiscSide, DiscSide};
+  const plot::Rectangle right = {{IdealAt, top}, DiscSide, DiscSide};
+  draw(pdf, scale, left, svg);
   draw_directions(shown, left, SchemeColour, svg);
   mark_view(row.u, left, svg);
   draw(ideal, scale, right, svg);
@@ -104,41 +104,41 @@ plot::PolarChart polar_of(const Row& row) {
   constexpr double TooLong = 8;  // times the other one
   constexpr double Longest = 4;
   plot::Series ideal = {{}, {}, IdealColour, {}};
-  plot::Series density = {{}, {}, SchemeColour, Dashes};
+  plot::Series pdf = {{}, {}, SchemeColour, Dashes};
   for (const double degrees : reflectance::light_angles(row.view.theta * 180 / std::numbers::pi)) {
     const Vec3f v = light_at(degrees, row.view);
     if (v.z <= 0) continue;
     ideal.points.emplace_back(degrees, row.ideal(v));
-    density.points.emplace_back(degrees, row.density(v));
+    pdf.points.emplace_back(degrees, row.pdf(v));
   }
-  plot::PolarChart chart{{}, "1/sr", {}, {ideal, density}, {}, {}};
-  const auto [shorter, longer] = std::minmax({peak_of(ideal), peak_of(density)});
+  plot::PolarChart chart{{}, "1/sr", {}, {ideal, pdf}, {}, {}};
+  const auto [shorter, longer] = std::minmax({peak_of(ideal), peak_of(pdf)});
   if (shorter > 0 && longer > TooLong * shorter) {
     chart.maximum = Longest * shorter;
     chart.note = fmt::format("cut: {} reaches {:.3g}",
-                             peak_of(ideal) > peak_of(density) ? "f cos / albedo" : "the pdf", longer);
+                             peak_of(ideal) > peak_of(pdf) ? "f cos / albedo" : "the pdf", longer);
   }
   return chart;
 }
 
 /// Makes a histogram of the sample weights, as a step curve. The outermost bins include all weights beyond.
 plot::Chart histogram_of(const Row& row) {
-  constexpr int BinsOfADecade = 15;
+  constexpr int BinsPerDecade = 15;
   constexpr int Decades = 4;
   constexpr double Lowest = 0.01;
-  constexpr int Bins = BinsOfADecade * Decades;
-  std::array<double, Bins> shares = {};
+  constexpr int Bins = BinsPerDecade * Decades;
+  std::array<double, Bins> fractions = {};
   for (const auto& sample : row.drawn.samples) {
     const double weight = reflectance::mean(sample.weight) / row.statistics.albedo;
-    const double place = weight > 0 ? std::log10(weight / Lowest) * BinsOfADecade : 0;
+    const double place = weight > 0 ? std::log10(weight / Lowest) * BinsPerDecade : 0;
     const double bin = std::clamp(std::floor(place + 0.5), 0.0, static_cast<double>(Bins - 1));
-    shares[static_cast<std::size_t>(bin)] += 100.0 / static_cast<double>(row.drawn.count());
+    fractions[static_cast<std::size_t>(bin)] += 100.0 / static_cast<double>(row.drawn.count());
   }
   plot::Series steps = {{}, {}, SchemeColour, {}};
-  const auto edge = [](int bin) { return Lowest * std::pow(10, (bin - 0.5) / BinsOfADecade); };
+  const auto edge = [](int bin) { return Lowest * std::pow(10, (bin - 0.5) / BinsPerDecade); };
   for (int bin = 0; bin < Bins; ++bin) {
-    steps.points.emplace_back(edge(bin), shares[static_cast<std::size_t>(bin)]);
-    steps.points.emplace_back(edge(bin + 1), shares[static_cast<std::size_t>(bin)]);
+    steps.points.emplace_back(edge(bin), fractions[static_cast<std::size_t>(bin)]);
+    steps.points.emplace_back(edge(bin + 1), fractions[static_cast<std::size_t>(bin)]);
   }
   plot::Chart chart{{},
                     {"weight / albedo (end bins include all beyond)", true, 0.01, 100, 0},
@@ -160,11 +160,11 @@ std::string facts_of(const Row& row) {
   std::string text =
       fmt::format("albedo {:.3g}   \u00B7   weights: variance {:.3g}, largest {:.3g}, mean {:.3f}",
                   statistics.albedo, statistics.variance, statistics.largest, statistics.mean);
-  const auto add = [&](double share, const char* what) {
-    if (share > 0) text += fmt::format("   \u00B7   {:.3g} % of samples {}", 100 * share, what);
+  const auto add = [&](double fraction, const char* what) {
+    if (fraction > 0) text += fmt::format("   \u00B7   {:.3g} % of samples {}", 100 * fraction, what);
   };
   add(statistics.rejected, "rejected");
-  add(statistics.mirrored, "specular");
+  add(statistics.specular, "specular");
   return text;
 }
 
@@ -205,7 +205,7 @@ std::string costs_of(const SampledInstance& instance, const std::vector<Row>& ro
   }
   return fmt::format("{}   \u00B7   {:.0f} ns per sample   \u00B7   cosine-weighted: {:.3g} %", tables,
                      1e9 * seconds / static_cast<double>(std::max<std::size_t>(1, count)),
-                     100 * instance.reflector.cosine_share());
+                     100 * instance.reflector.cosine_fraction());
 }
 
 double fitting(double size, const std::string& words, double width) {
@@ -222,7 +222,7 @@ void draw_header(const std::string& brdf, const std::string& pdf, const std::str
     svg.text({x, Y}, words, {13, "#111", Anchor::Start, 0});
     svg.text({x, Y + 17}, meaning, {11, "#666", Anchor::Start, 0});
   };
-  heading(DensityAt, "Pdf and 1000 samples", "on the unit disc, per projected solid angle");
+  heading(PdfAt, "Pdf and 1000 samples", "on the unit disc, per projected solid angle");
   heading(IdealAt, "f cos / albedo", "the ideal pdf, in the same colours");
   heading(PolarAt, "In the plane of incidence", "");
   heading(WeightsAt + 62, "Weights f cos / pdf", "1 for perfect importance sampling");

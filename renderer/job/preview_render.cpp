@@ -22,16 +22,16 @@ constexpr std::chrono::milliseconds Interval(80);
 
 }  // namespace
 
-struct PreviewRender::Kept {
+struct PreviewRender::PausedRender {
   transport::RenderTotals totals;
   std::vector<FilmTile> tiles;
 
-  void take(const Render& render) {
+  void save(const Render& render) {
     totals = render.totals();
     tiles.resize(static_cast<std::size_t>(render.film().tile_count()));
     for (std::size_t i = 0; i < tiles.size(); ++i) render.copy_tile(static_cast<int>(i), tiles[i]);
   }
-  void give(Render& render) const {
+  void restore(Render& render) const {
     if (tiles.empty()) return;
     render.restore(totals);
     for (std::size_t i = 0; i < tiles.size(); ++i) render.restore_tile(static_cast<int>(i), tiles[i]);
@@ -44,7 +44,7 @@ PreviewRender::PreviewRender(PreviewListener listener, StoppableImageReader imag
 PreviewRender::~PreviewRender() {
   {
     const std::lock_guard lock(lock_);
-    ends_ = true;
+    is_closing_ = true;
     replace_locked();
   }
   thread_.join();
@@ -87,8 +87,8 @@ void PreviewRender::resume() {
 void PreviewRender::work() {
   std::unique_lock lock(lock_);
   while (true) {
-    changed_.wait(lock, [this] { return ends_ || next_; });
-    if (ends_) return;
+    changed_.wait(lock, [this] { return is_closing_ || next_; });
+    if (is_closing_) return;
     const PreviewRequest request = std::move(*std::exchange(next_, std::nullopt));
     const int number = number_;
     lock.unlock();
@@ -119,7 +119,7 @@ void PreviewRender::show(int number, const PreviewRequest& request) {
   if (!settings) return listener_.state(number, PreviewState::Failed);
   listener_.state(number, PreviewState::Rendering);
   const std::vector<RenderSettings> stages = preview_stages(*settings);
-  shown_ = std::make_shared<const Image>();
+  last_stage_image_ = std::make_shared<const Image>();
   for (std::size_t i = 0; i < stages.size(); ++i) {
     if (!run_stage(number, stages[i], i + 1 == stages.size())) return;
   }
@@ -129,20 +129,20 @@ void PreviewRender::show(int number, const PreviewRequest& request) {
 /// Runs a stage to its end. A pause stops the render and saves its film, from which a new render resumes.
 /// Returns false if the request was replaced.
 bool PreviewRender::run_stage(int number, const RenderSettings& settings, bool is_last) {
-  Kept kept;
+  PausedRender paused;
   while (true) {
     RenderSettings rest = settings;
-    if (rest.max_seconds) rest.max_seconds = std::max(0.0, *rest.max_seconds - kept.totals.seconds);
+    if (rest.max_seconds) rest.max_seconds = std::max(0.0, *rest.max_seconds - paused.totals.seconds);
     Render render(scene_.compiled(), rest);
-    kept.give(render);
-    const Left left = watch(number, render, is_last);
-    if (left == Left::ForAnother) return false;
-    say_image(number, render, is_last);
-    if (left == Left::AtItsEnd) {
-      shown_ = std::make_shared<const Image>(render.film().mean());
+    paused.restore(render);
+    const StopReason stop_reason = watch(number, render, is_last);
+    if (stop_reason == StopReason::Replaced) return false;
+    send_image(number, render, is_last);
+    if (stop_reason == StopReason::Finished) {
+      last_stage_image_ = std::make_shared<const Image>(render.film().mean());
       return true;
     }
-    kept.take(render);
+    paused.save(render);
     listener_.state(number, PreviewState::Paused);
     if (!wait_for_resumption(number)) return false;
     listener_.state(number, PreviewState::Rendering);
@@ -150,9 +150,9 @@ bool PreviewRender::run_stage(int number, const RenderSettings& settings, bool i
 }
 
 /// Runs a render until it ends, is paused or is replaced, and sends images meanwhile.
-PreviewRender::Left PreviewRender::watch(int number, Render& render, bool is_last) {
+PreviewRender::StopReason PreviewRender::watch(int number, Render& render, bool is_last) {
   std::exception_ptr failure;
-  has_ended_ = false;
+  render_has_ended_ = false;
   std::thread runner([&] {
     try {
       render.run();
@@ -160,25 +160,27 @@ PreviewRender::Left PreviewRender::watch(int number, Render& render, bool is_las
       failure = std::current_exception();
     }
     const std::lock_guard lock(lock_);
-    has_ended_ = true;
+    render_has_ended_ = true;
     changed_.notify_all();
   });
-  const auto is_to_leave = [&] { return has_ended_ || is_paused_ || is_replaced(number); };
+  const auto is_to_stop = [&] { return render_has_ended_ || is_paused_ || is_replaced(number); };
   auto due = Clock::now() + Interval;
   std::unique_lock lock(lock_);
-  while (!changed_.wait_until(lock, due, is_to_leave)) {
+  while (!changed_.wait_until(lock, due, is_to_stop)) {
     lock.unlock();
     const auto start = Clock::now();
-    if (is_last) say_image(number, render, is_last);
+    if (is_last) send_image(number, render, is_last);
     due = Clock::now() + std::max<Clock::duration>(Interval, 5 * (Clock::now() - start));
     lock.lock();
   }
-  const Left left = is_replaced(number) ? Left::ForAnother : has_ended_ ? Left::AtItsEnd : Left::ForAPause;
+  const StopReason stop_reason = is_replaced(number) ? StopReason::Replaced
+                                 : render_has_ended_ ? StopReason::Finished
+                                                     : StopReason::Paused;
   lock.unlock();
   render.stop();
   runner.join();
   if (failure) std::rethrow_exception(failure);
-  return left;
+  return stop_reason;
 }
 
 bool PreviewRender::wait_for_resumption(int number) {
@@ -187,8 +189,8 @@ bool PreviewRender::wait_for_resumption(int number) {
   return !is_replaced(number);
 }
 
-void PreviewRender::say_image(int number, const Render& render, bool is_last) {
-  const auto image = std::make_shared<const Image>(completed(render, *shown_));
+void PreviewRender::send_image(int number, const Render& render, bool is_last) {
+  const auto image = std::make_shared<const Image>(completed(render, *last_stage_image_));
   transport::RenderProgress progress = render.progress();
   if (!is_last) progress.done = 0;
   listener_.image(number, image, progress);

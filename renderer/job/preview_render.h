@@ -50,31 +50,31 @@ class PreviewRender {
 
  private:
   /// Why a render was left.
-  enum class Left { AtItsEnd, ForAPause, ForAnother };
+  enum class StopReason { Finished, Paused, Replaced };
   /// The film and totals of a paused render.
-  struct Kept;
+  struct PausedRender;
 
   void work();
   void show(int number, const PreviewRequest& request);
   bool run_stage(int number, const transport::RenderSettings& settings, bool is_last);
-  Left watch(int number, transport::Render& render, bool is_last);
+  StopReason watch(int number, transport::Render& render, bool is_last);
   bool wait_for_resumption(int number);
-  void say_image(int number, const transport::Render& render, bool is_last);
-  bool is_replaced(int number) const { return ends_ || number != number_; }
+  void send_image(int number, const transport::Render& render, bool is_last);
+  bool is_replaced(int number) const { return is_closing_ || number != number_; }
   void replace_locked();
 
   const PreviewListener listener_;
   PreviewScene scene_;
   /// The image of the last finished stage.
-  std::shared_ptr<const transport::Image> shown_;
+  std::shared_ptr<const transport::Image> last_stage_image_;
 
   std::mutex lock_;  ///< guards the members below
   std::condition_variable changed_;
   std::optional<PreviewRequest> next_;
   int number_ = 0;
   bool is_paused_ = false;
-  bool ends_ = false;
-  bool has_ended_ = false;  ///< the current render has finished
+  bool is_closing_ = false;
+  bool render_has_ended_ = false;  ///< the current render has finished
   std::stop_source preparing_;
 
   std::thread thread_;  ///< declared last, because it uses the other members

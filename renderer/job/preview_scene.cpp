@@ -31,21 +31,22 @@ std::optional<RenderSettings> PreviewScene::prepare(const PreviewRequest& reques
   compile_settings->effects = request.options.effects();
   compile_settings->stop = stop;
   compile_settings->image_reader = reader_until(stop);
-  const bool is_again = last_ && are_same(*last_, request);
-  if (is_again || !compiles_alike(request, *compile_settings)) {
+  const bool is_repeated = last_ && are_same(*last_, request);
+  if (is_repeated || !can_reuse_compiled(request, *compile_settings)) {
     if (!compile(request, *compile_settings, diagnostics)) return std::nullopt;
   }
   RenderSettings settings = settings_of(request.options, compiled_->bounds());
   if (request.view) settings.view = *request.view;
-  if (!counts_samples(request.options)) settings.samples = RenderSettings::Unlimited;
-  if (!is_again) keep_surroundings(request.options, settings);
+  if (!has_sample_limit(request.options)) settings.samples = RenderSettings::Unlimited;
+  if (!is_repeated) reuse_environment(request.options, settings);
   last_ = request;
-  const bool is_surrounded =
-      load_surroundings(request.options, settings, diagnostics, compile_settings->image_reader);
+  const bool has_environment =
+      load_environment(request.options, settings, diagnostics, compile_settings->image_reader);
   environment_ = settings.integrator.environment;
   backplate_ = settings.backplate;
-  const bool is_something = has_something(*compiled_, request.options, diagnostics);
-  if (!is_surrounded || !is_something || !has_direction(settings.view, diagnostics)) return std::nullopt;
+  const bool is_not_empty = has_geometry(*compiled_, request.options, diagnostics);
+  if (!has_environment || !is_not_empty || !has_view_direction(settings.view, diagnostics))
+    return std::nullopt;
   transport::keep_only(compile_settings->effects, settings);
   return settings;
 }
@@ -58,7 +59,7 @@ transport::ImageReader PreviewScene::reader_until(const std::stop_token& stop) c
   };
 }
 
-bool PreviewScene::compiles_alike(const PreviewRequest& request, const CompileSettings& settings) const {
+bool PreviewScene::can_reuse_compiled(const PreviewRequest& request, const CompileSettings& settings) const {
   const CompileSettings& before = compile_settings_;
   return last_ && compiled_ && settings.scheme == before.scheme &&
          settings.missed_part == before.missed_part && settings.precision == before.precision &&
@@ -79,7 +80,7 @@ bool PreviewScene::compile(const PreviewRequest& request, const CompileSettings&
 }
 
 /// Reuses the environment map or backplate of the last request if this one has the same.
-void PreviewScene::keep_surroundings(const options::RenderOptions& render_options,
+void PreviewScene::reuse_environment(const options::RenderOptions& render_options,
                                      RenderSettings& settings) const {
   const bool are_known = last_ && last_->options.environment == render_options.environment &&
                          last_->options.projection == render_options.projection;

@@ -47,8 +47,8 @@ class PreviewScene {
  private:
   bool compile(const PreviewRequest& request, const transport::CompileSettings& settings,
                grf::Diagnostics& diagnostics);
-  bool compiles_alike(const PreviewRequest& request, const transport::CompileSettings& settings) const;
-  void keep_surroundings(const options::RenderOptions& render_options,
+  bool can_reuse_compiled(const PreviewRequest& request, const transport::CompileSettings& settings) const;
+  void reuse_environment(const options::RenderOptions& render_options,
                          transport::RenderSettings& settings) const;
 
   transport::ImageReader reader_until(const std::stop_token& stop) const;

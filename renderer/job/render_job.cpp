@@ -21,7 +21,7 @@ using grf::Diagnostics;
 using options::RenderOptions;
 using transport::CompiledScene;
 using transport::Integrator;
-using transport::PixelPlacing;
+using transport::PixelSampling;
 
 /// Sets the sampling scheme that the options name, checked; returns false after an error.
 bool override_scheme(const RenderOptions& render_options, transport::CompileSettings& settings,
@@ -51,7 +51,7 @@ bool check(const grf::Scene& scene, Diagnostics& diagnostics) {
   return grf::check(scene, reflectance::catalogue(), diagnostics);
 }
 
-bool counts_samples(const RenderOptions& render_options) {
+bool has_sample_limit(const RenderOptions& render_options) {
   return render_options.samples || (!render_options.target_error && !render_options.max_seconds);
 }
 
@@ -68,8 +68,8 @@ std::optional<transport::CompileSettings> compile_settings_of(const RenderOption
   return settings;
 }
 
-bool load_surroundings(const RenderOptions& render_options, transport::RenderSettings& settings,
-                       Diagnostics& diagnostics, const transport::ImageReader& image_reader) {
+bool load_environment(const RenderOptions& render_options, transport::RenderSettings& settings,
+                      Diagnostics& diagnostics, const transport::ImageReader& image_reader) {
   const std::string& path = render_options.environment;
   if (path.empty()) return true;
   const grf::SourceLocation location = render_options.locations.of("BPT_EM_Background");
@@ -92,10 +92,10 @@ bool load_surroundings(const RenderOptions& render_options, transport::RenderSet
 namespace {
 
 /// Sets the number of samples and their pattern in a pixel.
-void place_samples(const RenderOptions& render_options, transport::RenderSettings& settings) {
-  settings.samples = render_options.samples_a_pixel();
+void set_pixel_samples(const RenderOptions& render_options, transport::RenderSettings& settings) {
+  settings.samples = render_options.samples_per_pixel();
   if (settings.integrator.integrator == Integrator::Path) return;
-  settings.placing = PixelPlacing::Centre;
+  settings.pixel_sampling = PixelSampling::Centre;
   if (settings.integrator.integrator == Integrator::Normals) {
     settings.samples = 1;
     return;
@@ -103,8 +103,8 @@ void place_samples(const RenderOptions& render_options, transport::RenderSetting
   const auto [columns, rows] = render_options.pixel_samples;
   settings.samples = columns * rows;
   settings.grid_columns = columns;
-  if (render_options.pixel_random) settings.placing = PixelPlacing::Sobol;
-  if (render_options.pixel_radial) settings.placing = PixelPlacing::Regular;
+  if (render_options.pixel_random) settings.pixel_sampling = PixelSampling::Sobol;
+  if (render_options.pixel_radial) settings.pixel_sampling = PixelSampling::Regular;
 }
 
 }  // namespace
@@ -115,23 +115,23 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   settings.height = render_options.size.height;
   const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
   settings.view = transport::view_of(bounds, render_options.field_of_view, aspect);
-  if (render_options.viewer) settings.view.eye = *render_options.viewer;
+  if (render_options.eye) settings.view.eye = *render_options.eye;
   if (render_options.target) settings.view.target = *render_options.target;
   settings.view.up = render_options.up;
   settings.integrator.background = render_options.background;
   settings.integrator.depth = render_options.depth;
-  settings.integrator.branches = render_options.branches;
+  settings.integrator.split_count = render_options.split_count;
   settings.integrator.uses_irradiance = render_options.uses_irradiance;
   settings.integrator.measures_sampling = render_options.writes_sampling_time;
   settings.integrator.integrator = integrator_of(render_options);
   settings.integrator.secondary_rays =
       render_options.secondary_rays_root * render_options.secondary_rays_root;
   settings.integrator.uses_full_kernel = render_options.kernel == "full";
-  place_samples(render_options, settings);
+  set_pixel_samples(render_options, settings);
   settings.adaptive = render_options.adaptive;
   settings.target_error = render_options.target_error;
   settings.max_seconds = render_options.max_seconds;
-  if (render_options.points == "independent") settings.points = transport::Points::Independent;
+  if (render_options.points == "independent") settings.pattern = transport::SamplePattern::Independent;
   settings.seed = render_options.seed;
   settings.threads = render_options.threads;
   return settings;
@@ -166,36 +166,35 @@ transport::PlanSettings plan_settings_of(const RenderOptions& render_options,
 std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::CompileSettings compile_settings,
                                       const RenderOptions& render_options, Diagnostics& diagnostics) {
   compile_settings.effects = render_options.effects();
-  const transport::Outline outline(scene, transport::most_copied_triangles(compile_settings));
-  transport::RenderSettings settings = settings_of(render_options, outline.bounds);
-  if (!has_direction(settings.view, diagnostics)) return std::nullopt;
+  const transport::CoarseScene coarse_scene(scene, transport::most_copied_triangles(compile_settings));
+  transport::RenderSettings settings = settings_of(render_options, coarse_scene.bounds);
+  if (!has_view_direction(settings.view, diagnostics)) return std::nullopt;
   transport::PlanSettings plan_settings = plan_settings_of(render_options, settings);
   if (compile_settings.scheme) plan_settings.scheme = to_text(compile_settings.scheme->model);
-  transport::Plan plan = transport::plan_of(outline, plan_settings);
+  transport::Plan plan = transport::plan_of(coarse_scene, plan_settings);
   follow(plan, settings);
   compile_settings.effects = plan.needed();
   compile_settings.reflecting = plan.reflecting;
   return RenderPlan{std::move(compile_settings), std::move(settings), std::move(plan)};
 }
 
-bool has_direction(const transport::View& view, Diagnostics& diagnostics) {
+bool has_view_direction(const transport::View& view, Diagnostics& diagnostics) {
   if (view.eye != view.target) return true;
   diagnostics.error({}, "BPT_Viewer and BPT_VLook are the same point: the view direction is undefined");
   return false;
 }
 
-bool load_surroundings(const RenderOptions& render_options, RenderPlan& planned, Diagnostics& diagnostics) {
+bool load_environment(const RenderOptions& render_options, RenderPlan& planned, Diagnostics& diagnostics) {
   const bool is_needed =
       planned.plan[transport::Effect::Environment].is_needed ||
       (has_backplate(render_options) && planned.plan[transport::Effect::Background].is_needed);
-  if (is_needed) return load_surroundings(render_options, planned.settings, diagnostics);
+  if (is_needed) return load_environment(render_options, planned.settings, diagnostics);
   planned.settings.integrator.environment = nullptr;
   planned.settings.backplate = nullptr;
   return true;
 }
 
-bool has_something(const CompiledScene& scene, const RenderOptions& render_options,
-                   Diagnostics& diagnostics) {
+bool has_geometry(const CompiledScene& scene, const RenderOptions& render_options, Diagnostics& diagnostics) {
   if (scene.triangle_count() > 0) return true;
   diagnostics.error(grf::whole_file(render_options.scene),
                     "the scene has nothing to render: it needs a mesh or a light");
@@ -210,13 +209,13 @@ std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnos
     planned = render_plan(*scene, *compile_settings, render_options, diagnostics);
   if (!planned) {
     transport::RenderSettings unused;
-    load_surroundings(render_options, unused, diagnostics);  // to report all errors at once
+    load_environment(render_options, unused, diagnostics);  // to report all errors at once
     return std::nullopt;
   }
   auto compiled = transport::compile(std::move(*scene), diagnostics, planned->compile_settings);
-  const bool is_something = compiled && has_something(*compiled, render_options, diagnostics);
-  if (!load_surroundings(render_options, *planned, diagnostics) || !is_something) return std::nullopt;
-  if (!counts_samples(render_options)) planned->settings.samples = transport::RenderSettings::Unlimited;
+  const bool is_not_empty = compiled && has_geometry(*compiled, render_options, diagnostics);
+  if (!load_environment(render_options, *planned, diagnostics) || !is_not_empty) return std::nullopt;
+  if (!has_sample_limit(render_options)) planned->settings.samples = transport::RenderSettings::Unlimited;
   return RenderJob{std::move(*compiled), std::move(planned->settings), std::move(planned->plan)};
 }
 
@@ -232,11 +231,11 @@ std::optional<BakeJob> bake_job(RenderOptions render_options, int directions, Di
   auto compiled = transport::compile(*scene, diagnostics, transport::without_instances(*compile_settings));
   if (!compiled) return std::nullopt;
   transport::RenderSettings render_settings = settings_of(render_options, compiled->bounds());
-  if (!load_surroundings(render_options, render_settings, diagnostics)) return std::nullopt;
+  if (!load_environment(render_options, render_settings, diagnostics)) return std::nullopt;
   transport::BakeSettings settings;
   settings.integrator = render_settings.integrator;
   settings.samples =
-      counts_samples(render_options) ? render_settings.samples : transport::RenderSettings::Unlimited;
+      has_sample_limit(render_options) ? render_settings.samples : transport::RenderSettings::Unlimited;
   settings.target_error = render_settings.target_error;
   settings.max_seconds = render_settings.max_seconds;
   settings.directions = directions;

@@ -45,21 +45,21 @@ std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::Compil
                                       const options::RenderOptions& render_options,
                                       grf::Diagnostics& diagnostics);
 /// Loads the environment map or backplate into the settings if the plan needs it, unless it is there already.
-bool load_surroundings(const options::RenderOptions& render_options, RenderPlan& planned,
-                       grf::Diagnostics& diagnostics);
+bool load_environment(const options::RenderOptions& render_options, RenderPlan& planned,
+                      grf::Diagnostics& diagnostics);
 /// Returns the settings for a scene of these bounds, without environment map or backplate.
 transport::RenderSettings settings_of(const options::RenderOptions& render_options, const grf::Box3d& bounds);
 /// Reports an error if the eye and the look-at point coincide.
-bool has_direction(const transport::View& view, grf::Diagnostics& diagnostics);
+bool has_view_direction(const transport::View& view, grf::Diagnostics& diagnostics);
 /// Loads the environment map or backplate into the settings, unless it is there already.
-bool load_surroundings(const options::RenderOptions& render_options, transport::RenderSettings& settings,
-                       grf::Diagnostics& diagnostics,
-                       const transport::ImageReader& image_reader = transport::read_image);
+bool load_environment(const options::RenderOptions& render_options, transport::RenderSettings& settings,
+                      grf::Diagnostics& diagnostics,
+                      const transport::ImageReader& image_reader = transport::read_image);
 /// Returns whether the number of samples is limited: not if only a target error or a time limit is given.
-bool counts_samples(const options::RenderOptions& render_options);
+bool has_sample_limit(const options::RenderOptions& render_options);
 /// Reports an error if the scene has nothing to render.
-bool has_something(const transport::CompiledScene& scene, const options::RenderOptions& render_options,
-                   grf::Diagnostics& diagnostics);
+bool has_geometry(const transport::CompiledScene& scene, const options::RenderOptions& render_options,
+                  grf::Diagnostics& diagnostics);
 
 /// The inputs of an irradiance bake, with all files read.
 struct BakeJob {

@@ -65,8 +65,8 @@ std::string line_like(const Layout& layout, std::string_view key, const std::str
 
 OpText::OpText(std::string_view text) {
   if (text.starts_with(grf::ByteOrderMark)) {
-    mark_ = grf::ByteOrderMark;
-    text.remove_prefix(mark_.size());
+    byte_order_mark_ = grf::ByteOrderMark;
+    text.remove_prefix(byte_order_mark_.size());
   }
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -79,7 +79,7 @@ OpText::OpText(std::string_view text) {
 }
 
 std::string OpText::text() const {
-  std::string text = mark_;
+  std::string text = byte_order_mark_;
   for (const Line& line : lines_) text += line.text + line.end;
   return text;
 }
@@ -194,23 +194,23 @@ void OpText::replace(std::size_t line, const std::vector<std::string>& words) {
 }
 
 /// Returns the line after which a new one is inserted: the last of its group, or of the groups before.
-std::optional<std::size_t> OpText::neighbour_of(const OptionInfo& option) const {
-  std::optional<std::size_t> neighbour;
+std::optional<std::size_t> OpText::insertion_line(const OptionInfo& option) const {
+  std::optional<std::size_t> line_before;
   OptionGroup nearest = OptionGroup::Image;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const OptionInfo* other = op_key(op_words(lines_[i].text)).option;
-    if (other == nullptr || other->group > option.group || (neighbour && other->group < nearest)) continue;
-    neighbour = i;
+    if (other == nullptr || other->group > option.group || (line_before && other->group < nearest)) continue;
+    line_before = i;
     nearest = other->group;
   }
-  return neighbour;
+  return line_before;
 }
 
 void OpText::add(const OptionInfo& option, const std::vector<std::string>& words) {
   const std::string newline = lines_.empty() || lines_.front().end.empty() ? "\n" : lines_.front().end;
-  const std::optional<std::size_t> neighbour = neighbour_of(option);
-  const Layout layout = neighbour ? layout_of(lines_[*neighbour].text) : Layout();
-  const std::size_t place = neighbour ? *neighbour + 1 : lines_.size();
+  const std::optional<std::size_t> line_before = insertion_line(option);
+  const Layout layout = line_before ? layout_of(lines_[*line_before].text) : Layout();
+  const std::size_t place = line_before ? *line_before + 1 : lines_.size();
   Line line{line_like(layout, option.key, written(words)), newline};
   if (place > 0 && lines_[place - 1].end.empty()) std::swap(line.end, lines_[place - 1].end);
   lines_.insert(lines_.begin() + static_cast<std::ptrdiff_t>(place), std::move(line));

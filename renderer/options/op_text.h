@@ -53,10 +53,10 @@ class OpText {
   std::vector<std::size_t> lines_of(const OptionInfo& option) const;
   void replace(std::size_t line, const std::vector<std::string>& words);
   void add(const OptionInfo& option, const std::vector<std::string>& words);
-  std::optional<std::size_t> neighbour_of(const OptionInfo& option) const;
+  std::optional<std::size_t> insertion_line(const OptionInfo& option) const;
   void remove_line(std::size_t line);
 
-  std::string mark_;  ///< the byte order mark, or empty
+  std::string byte_order_mark_;  ///< the byte order mark, or empty
   std::vector<Line> lines_;
 };
 

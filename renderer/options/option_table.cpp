@@ -45,9 +45,9 @@ std::vector<OptionInfo> image_options() {
 std::vector<OptionInfo> view_options() {
   using Options = RenderOptions;
   return {
-      {"BPT_Viewer", "", PlaceOption{&Options::viewer}, "x y z", "framed to the scene",
+      {"BPT_Viewer", "", PointOption{&Options::eye}, "x y z", "framed to the scene",
        "camera position (eye), in world coordinates"},
-      {"BPT_VLook", "", PlaceOption{&Options::target}, "x y z", "the scene's centre",
+      {"BPT_VLook", "", PointOption{&Options::target}, "x y z", "the scene's centre",
        "look-at point of the camera, in world coordinates"},
       {"BPT_Up", "", VectorOption{&Options::up, -Largest}, "x y z", "0 1 0",
        "up vector of the camera; the z axis is used if it is parallel to the view direction"},
@@ -83,7 +83,7 @@ std::vector<OptionInfo> estimator_options() {
        "light sampling"},
       {"BPT_Depth", "--depth", NumberOption<int>{&Options::depth, 0, LargestInt}, "int", "5",
        "maximum number of bounces (scattering events) of a path: 0 emission only, 1 direct light only"},
-      {"BPT_Branches", "--branches", NumberOption<int>{&Options::branches, 1, 1024}, "int", "2",
+      {"BPT_Branches", "--branches", NumberOption<int>{&Options::split_count, 1, 1024}, "int", "2",
        "split count: directions in which a path continues from its first hit that is not purely specular, "
        "for path; 1: no splitting"},
       {"BPT_Samples", "--samples", NumberOption<int, std::optional<int>>{&Options::samples, 1, LargestInt},
@@ -165,7 +165,7 @@ std::vector<OptionInfo> scheme_options() {
   constexpr float LargestExponent = 1e6F;
   return {
       {"BPT_Pdf_Name", "--pdf",
-       WordOption{&Options::name,
+       WordOption{&Options::scheme,
                   {"Diffuse", "Specular", "Hemisphere", "Sphere", "Anisotropic", "Disk", "Adaptive",
                    "Factored", "CascadeCDF", "Reject", "Own", "Auto"}},
        "word", "the scene's, else Auto",

@@ -161,7 +161,7 @@ Problem set(RenderOptions& options, const VectorOption& option, const std::vecto
   return std::nullopt;
 }
 
-Problem set(RenderOptions& options, const PlaceOption& option, const std::vector<std::string>& words) {
+Problem set(RenderOptions& options, const PointOption& option, const std::vector<std::string>& words) {
   grf::Vec3f place;
   if (Problem problem = parse_vector(words, -LargestNumber, place)) return problem;
   options.*option.field = place;
@@ -196,7 +196,7 @@ Words words_of(const std::optional<Value>& value) {
 
 }  // namespace
 
-int RenderOptions::samples_a_pixel() const {
+int RenderOptions::samples_per_pixel() const {
   constexpr std::int64_t Most = std::numeric_limits<int>::max();
   if (samples) return *samples;
   const std::int64_t secondary_rays = std::int64_t(secondary_rays_root) * secondary_rays_root;
@@ -221,7 +221,7 @@ std::size_t word_count(const OptionInfo& option) {
     return 2;
   }
   const bool is_vector =
-      std::holds_alternative<VectorOption>(option.value) || std::holds_alternative<PlaceOption>(option.value);
+      std::holds_alternative<VectorOption>(option.value) || std::holds_alternative<PointOption>(option.value);
   return is_vector ? 3 : 1;
 }
 

@@ -44,7 +44,7 @@ struct OptionLocations : std::map<std::string_view, grf::SourceLocation> {
 
 /// Options of the sampling scheme. An absent one keeps the scheme's default; see `scheme_model`.
 struct SchemeOptions {
-  std::string name;  ///< a word of the table; empty: each BRDF has the scene's scheme
+  std::string scheme;  ///< a word of the table; empty: each BRDF has the scene's scheme
   std::optional<float> lobe_exponent;
   std::optional<float> anisotropic_nu;
   std::optional<float> anisotropic_nv;
@@ -71,7 +71,7 @@ struct RenderOptions : SchemeOptions {
   float exposure = 0;  ///< exposure compensation of 8-bit outputs, stops
   /// Layers of EXR outputs besides the image: words of the table.
   std::vector<std::string> layers;
-  std::optional<grf::Vec3f> viewer;  ///< the eye, in world coordinates; absent: framed to the scene
+  std::optional<grf::Vec3f> eye;     ///< the eye, in world coordinates; absent: framed to the scene
   std::optional<grf::Vec3f> target;  ///< the point looked at; absent: the scene's centre
   grf::Vec3f up = grf::Vec3f(0, 1, 0);
   float field_of_view = 45;               ///< vertical, degrees
@@ -81,8 +81,8 @@ struct RenderOptions : SchemeOptions {
   std::optional<IntegerPair> resampling;  ///< M and N of resampled importance sampling
   std::string integrator = "path";        ///< naive or path
   int depth = 5;                          ///< the most bounces of a path
-  int branches = 2;                       ///< directions from the first non-specular hit
-  std::optional<int> samples;             ///< per pixel; see `samples_a_pixel`
+  int split_count = 2;                    ///< directions from the first non-specular hit
+  std::optional<int> samples;             ///< per pixel; see `samples_per_pixel`
   bool pixel_radial = false;
   bool pixel_random = true;
   IntegerPair pixel_samples = {1, 1};  ///< across and down a pixel
@@ -112,7 +112,7 @@ struct RenderOptions : SchemeOptions {
 
   /// Returns the samples per pixel of the integrator path. Without BPT_Samples, as many as the thesis'
   /// estimator would take, so that an old OP file costs about as much as it did.
-  int samples_a_pixel() const;
+  int samples_per_pixel() const;
 
   bool operator==(const RenderOptions&) const = default;
 
@@ -174,7 +174,7 @@ struct VectorOption {
   grf::Vec3f RenderOptions::*field;
   float minimum;  ///< of each component
 };
-struct PlaceOption {
+struct PointOption {
   std::optional<grf::Vec3f> RenderOptions::*field;
 };
 
@@ -186,7 +186,7 @@ std::string_view title_of(OptionGroup group);
 struct OptionInfo {
   std::string_view key;   ///< key in OP files, `BPT_Depth`
   std::string_view flag;  ///< command-line flag, `--depth`; empty: only in files
-  std::variant<PathOption, AddressOption, SizeOption, VectorOption, PlaceOption, NumberOption<int>,
+  std::variant<PathOption, AddressOption, SizeOption, VectorOption, PointOption, NumberOption<int>,
                NumberOption<std::uint32_t>, NumberOption<float>, NumberOption<int, std::optional<int>>,
                NumberOption<float, std::optional<float>>, BooleanOption<bool>,
                BooleanOption<std::optional<bool>>, WordOption, ListOption, PairOption<IntegerPair>,

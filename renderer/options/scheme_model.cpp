@@ -123,9 +123,9 @@ constexpr std::array UnusedByRayCasting = {"BPT_Integrator",   "BPT_Depth",     
 }  // namespace
 
 std::optional<grf::PdfModel> scheme_model(const RenderOptions& options) {
-  if (options.name.empty()) return std::nullopt;
+  if (options.scheme.empty()) return std::nullopt;
   grf::PdfModel model;
-  model.keyword = keyword_of(options.name);
+  model.keyword = keyword_of(options.scheme);
   model.location = options.locations.of("BPT_Pdf_Name");
   for (const SchemeParameter& parameter : scheme_parameters()) {
     if (!is_for(parameter, model.keyword) || parameter.names.empty()) continue;
@@ -141,10 +141,10 @@ std::optional<grf::PdfModel> scheme_model(const RenderOptions& options) {
 std::optional<std::string> why_unused(const RenderOptions& options, const OptionInfo& option) {
   for (const SchemeParameter& parameter : scheme_parameters()) {
     if (parameter.key != option.key) continue;
-    if (options.name.empty()) {
+    if (options.scheme.empty()) {
       return "no BPT_Pdf_Name is given, so the parameters of the scene's schemes apply";
     }
-    const std::string keyword = keyword_of(options.name);
+    const std::string keyword = keyword_of(options.scheme);
     if (!is_for(parameter, keyword)) return fmt::format("the scheme '{}' does not use it", keyword);
   }
   if (options.ray_casting && std::find(UnusedByRayCasting.begin(), UnusedByRayCasting.end(), option.key) !=

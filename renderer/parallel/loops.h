@@ -33,41 +33,41 @@ inline int thread_count() { return tbb::this_task_arena::max_concurrency(); }
 /// Calls `body(i)` for each i from 0 to count - 1, in any order and on several threads.
 template <class Index, class Body>
 void for_each_index(Index count, const Body& body) {
-  publish();
+  release();
   tbb::parallel_for(Index{0}, count, [&body](Index i) {
-    see();
+    acquire();
     body(i);
-    publish();
+    release();
   });
-  see();
+  acquire();
 }
 
 /// Calls `body(begin, end)` for subranges that cover 0 to count - 1: for bodies with a set-up cost.
 template <class Body>
-void for_each_part(std::size_t count, const Body& body) {
-  publish();
+void for_each_range(std::size_t count, const Body& body) {
+  release();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
                     [&body](const tbb::blocked_range<std::size_t>& part) {
-                      see();
+                      acquire();
                       body(part.begin(), part.end());
-                      publish();
+                      release();
                     });
-  see();
+  acquire();
 }
 
 /// Calls `work()` once per available thread, each time on another thread if none is busy elsewhere.
 template <class Work>
 void on_each_thread(const Work& work) {
-  publish();
+  release();
   tbb::parallel_for(
       tbb::blocked_range<int>(0, thread_count(), 1),
       [&work](const tbb::blocked_range<int>& workers) {
-        see();
+        acquire();
         for (int i = workers.begin(); i != workers.end(); ++i) work();
-        publish();
+        release();
       },
       tbb::simple_partitioner());
-  see();
+  acquire();
 }
 
 /// Runs two independent functions, possibly on different threads.
@@ -75,14 +75,14 @@ template <class First, class Second>
 void invoke(const First& first, const Second& second) {
   const auto task = [](const auto& function) {
     return [&function] {
-      see();
+      acquire();
       function();
-      publish();
+      release();
     };
   };
-  publish();
+  release();
   tbb::parallel_invoke(task(first), task(second));
-  see();
+  acquire();
 }
 
 }  // namespace parallel

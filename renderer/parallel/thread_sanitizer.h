@@ -12,20 +12,20 @@ namespace parallel {
 #ifdef GRANADA_THREAD_SANITIZER
 namespace detail {
 /// The address that stands for TBB. One serves all: a task must not read anything that its function captured,
-/// such as a synchronisation object, before it has called `see`.
+/// such as a synchronisation object, before it has called `acquire`.
 inline constexpr char Tasks = 0;
 inline void* tasks() { return const_cast<char*>(&Tasks); }
 }  // namespace detail
 #endif
 
-/// Releases: what was done before becomes visible to any thread that calls `see` later.
-inline void publish() {
+/// Releases: what was done before becomes visible to any thread that calls `acquire` later.
+inline void release() {
 #ifdef GRANADA_THREAD_SANITIZER
   __tsan_release(detail::tasks());
 #endif
 }
 
-inline void see() {
+inline void acquire() {
 #ifdef GRANADA_THREAD_SANITIZER
   __tsan_acquire(detail::tasks());
 #endif

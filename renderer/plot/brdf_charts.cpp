@@ -44,23 +44,23 @@ std::vector<Series> all_series(std::span<const LobeCurve> curves, const LobeStyl
   return series;
 }
 
-void add_densities(std::span<const LobeCurve> curves, std::vector<Series>& series) {
+void add_pdfs(std::span<const LobeCurve> curves, std::vector<Series>& series) {
   for (std::size_t k = 0; k < curves.size(); ++k) {
-    if (curves[k].densities.empty()) continue;
-    Series& densities = series.emplace_back(Series{{}, {}, colour_of_series(k), Dashes});
+    if (curves[k].pdfs.empty()) continue;
+    Series& pdfs = series.emplace_back(Series{{}, {}, colour_of_series(k), Dashes});
     for (std::size_t i = 0; i < curves[k].degrees.size(); ++i) {
-      densities.points.emplace_back(curves[k].degrees[i], curves[k].densities[i]);
+      pdfs.points.emplace_back(curves[k].degrees[i], curves[k].pdfs[i]);
     }
   }
 }
 
 /// Makes a line per view with a delta part, as long as its weight.
-std::vector<Series> mirror_lines(std::span<const LobeCurve> curves, Channel channel,
-                                 std::string_view dashes) {
+std::vector<Series> specular_lines(std::span<const LobeCurve> curves, Channel channel,
+                                   std::string_view dashes) {
   constexpr double Seen = 0.005;
   std::vector<Series> lines;
   for (std::size_t k = 0; k < curves.size(); ++k) {
-    const double weight = channel_of(curves[k].mirror, channel);
+    const double weight = channel_of(curves[k].specular_weight, channel);
     if (weight <= Seen) continue;
     lines.push_back(
         {{}, {Point(curves[k].view, 0), Point(curves[k].view, weight)}, colour_of_series(k), dashes});
@@ -114,12 +114,12 @@ LobeCurve lobe_curve(const reflectance::Brdf& brdf, double view, const reflectan
   LobeCurve curve;
   curve.view = view;
   const Vec3f u = direction_at(-view);
-  curve.mirror = reflectance::mirror(brdf, u);
+  curve.specular_weight = reflectance::specular_weight(brdf, u);
   for (const double degrees : reflectance::light_angles(view)) {
     const Vec3f v = direction_at(degrees);
     curve.degrees.push_back(degrees);
     curve.values.push_back(reflectance::evaluate(brdf, u, v));
-    if (reflector != nullptr) curve.densities.push_back(reflector->density(u, v));
+    if (reflector != nullptr) curve.pdfs.push_back(reflector->pdf(u, v));
   }
   return curve;
 }
@@ -153,7 +153,7 @@ Chart lobe_chart(std::span<const LobeCurve> curves, const LobeStyle& style) {
               {"light angle in degrees; the view is on the left", false, -90, 90, 30},
               {quantity(style), style.is_logarithmic, {}, {}, 0},
               all_series(curves, style)};
-  add_densities(curves, chart.series);
+  add_pdfs(curves, chart.series);
   double peak = 0;
   double lowest = std::numeric_limits<double>::infinity();
   for (const Series& series : chart.series) {
@@ -173,10 +173,10 @@ Chart lobe_chart(std::span<const LobeCurve> curves, const LobeStyle& style) {
   return chart;
 }
 
-void add_mirror_lines(Chart& chart, std::span<const LobeCurve> curves, Channel channel) {
+void add_specular_lines(Chart& chart, std::span<const LobeCurve> curves, Channel channel) {
   double peak = 0;
   for (const Series& series : chart.series) peak = std::max(peak, peak_of(series));
-  for (Series& line : mirror_lines(curves, channel, "1 3")) {
+  for (Series& line : specular_lines(curves, channel, "1 3")) {
     for (Point& point : line.points) point.y *= peak > 0 ? peak : 1;
     chart.series.push_back(std::move(line));
   }
@@ -197,9 +197,9 @@ PolarChart polar_lobe_chart(std::span<const LobeCurve> curves, const LobeStyle& 
   }
   if (!style.is_logarithmic && shortest > 0 && longest > TooLong * shortest)
     chart.maximum = Longest * shortest;
-  add_densities(curves, chart.series);
-  chart.shares = mirror_lines(curves, style.channel, Dashes);
-  if (!chart.shares.empty()) chart.note = "dashed: the delta part; the outermost ring is an albedo of 1";
+  add_pdfs(curves, chart.series);
+  chart.fractions = specular_lines(curves, style.channel, Dashes);
+  if (!chart.fractions.empty()) chart.note = "dashed: the delta part; the outermost ring is an albedo of 1";
   return chart;
 }
 

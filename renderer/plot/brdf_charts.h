@@ -26,8 +26,8 @@ struct LobeCurve {
   double view = 0;  ///< view angle, degrees
   std::vector<double> degrees;
   std::vector<reflectance::Rgb> values;  ///< f in 1/sr, at each of the angles
-  std::vector<double> densities;         ///< solid-angle pdf of the scheme; empty without one
-  reflectance::Rgb mirror;               ///< the weight of the delta part
+  std::vector<double> pdfs;              ///< solid-angle pdf of the scheme; empty without one
+  reflectance::Rgb specular_weight;      ///< the weight of the delta part
 };
 
 /// Samples the BRDF, and the pdf of a reflector's scheme unless that is null.
@@ -56,7 +56,7 @@ struct LobeStyle {
 Chart lobe_chart(std::span<const LobeCurve> curves, const LobeStyle& style);
 
 /// Adds the delta parts to such a chart, as lines whose length is their albedo; the peak is 1.
-void add_mirror_lines(Chart& chart, std::span<const LobeCurve> curves, Channel channel);
+void add_specular_lines(Chart& chart, std::span<const LobeCurve> curves, Channel channel);
 
 /// Makes a polar chart with values as radii. Lobes much longer than another are clipped.
 PolarChart polar_lobe_chart(std::span<const LobeCurve> curves, const LobeStyle& style);

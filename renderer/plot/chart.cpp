@@ -42,8 +42,8 @@ class Scale {
   bool has_place(double value) const { return std::isfinite(value); }
   double place(double value) const {
     // The clamp keeps 0 on a logarithmic axis far outside, as any value outside will do.
-    const double share = std::clamp((on_axis(value) - low_) / (high_ - low_), -10.0, 10.0);
-    return from_ + share * (to_ - from_);
+    const double fraction = std::clamp((on_axis(value) - low_) / (high_ - low_), -10.0, 10.0);
+    return from_ + fraction * (to_ - from_);
   }
 
   std::vector<double> ticks() const {
@@ -96,7 +96,7 @@ std::string label_of(double value) {
   return fmt::format("{:.3g}e{}", value / std::pow(10, exponent), exponent);
 }
 
-void draw_title(const std::string& title, const Place& place, Svg& svg) {
+void draw_title(const std::string& title, const Rectangle& place, Svg& svg) {
   svg.text({place.corner.x, place.corner.y + 14}, title, {13, "#111", Anchor::Start, 0});
 }
 
@@ -144,7 +144,8 @@ void draw_lines(const Chart& chart, const Scale& x, const Scale& y, Svg& svg) {
   }
 }
 
-void draw_names_at_ends(const Chart& chart, const Scale& x, const Scale& y, const Place& inside, Svg& svg) {
+void draw_names_at_ends(const Chart& chart, const Scale& x, const Scale& y, const Rectangle& inside,
+                        Svg& svg) {
   std::vector<std::size_t> named;
   std::vector<Point> ends;
   std::vector<double> wishes;
@@ -158,7 +159,7 @@ void draw_names_at_ends(const Chart& chart, const Scale& x, const Scale& y, cons
   constexpr double Distance = 15;
   const double right = inside.corner.x + inside.width;
   const std::vector<double> heights =
-      apart(wishes, Distance, inside.corner.y + 4, inside.corner.y + inside.height - 4);
+      spread_labels(wishes, Distance, inside.corner.y + 4, inside.corner.y + inside.height - 4);
   for (std::size_t k = 0; k < named.size(); ++k) {
     const Series& series = chart.series[named[k]];
     const std::string_view colour = colour_of(chart.series, named[k]);
@@ -169,7 +170,7 @@ void draw_names_at_ends(const Chart& chart, const Scale& x, const Scale& y, cons
   }
 }
 
-void draw_axes(const Chart& chart, const Scale& x, const Scale& y, const Place& inside, Svg& svg) {
+void draw_axes(const Chart& chart, const Scale& x, const Scale& y, const Rectangle& inside, Svg& svg) {
   const double left = inside.corner.x;
   const double top = inside.corner.y;
   const double right = left + inside.width;
@@ -215,7 +216,8 @@ std::string_view colour_of_series(std::size_t index) {
   return Colours[index % Colours.size()];
 }
 
-std::vector<double> apart(const std::vector<double>& wishes, double distance, double from, double to) {
+std::vector<double> spread_labels(const std::vector<double>& wishes, double distance, double from,
+                                  double to) {
   std::vector<std::size_t> order(wishes.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
@@ -250,10 +252,11 @@ std::vector<double> apart(const std::vector<double>& wishes, double distance, do
   return places;
 }
 
-void draw(const Chart& chart, const Place& place, Svg& svg) {
-  const Place inside = {{place.corner.x + 62, place.corner.y + 26},
-                        place.width - 62 - legend_width(chart.series) - (chart.has_names_at_ends ? 10 : 0),
-                        place.height - 66};
+void draw(const Chart& chart, const Rectangle& place, Svg& svg) {
+  const Rectangle inside = {
+      {place.corner.x + 62, place.corner.y + 26},
+      place.width - 62 - legend_width(chart.series) - (chart.has_names_at_ends ? 10 : 0),
+      place.height - 66};
   const Scale x(chart.x, chart.series, &Point::x, inside.corner.x, inside.corner.x + inside.width);
   const Scale y(chart.y, chart.series, &Point::y, inside.corner.y + inside.height, inside.corner.y);
   draw_title(chart.title, place, svg);
@@ -290,17 +293,17 @@ class Fan {
   Fan(const Point& centre, double radius) : centre_(centre), radius_(radius) {}
 
   const Point& centre() const { return centre_; }
-  Point at(double degrees, double share) const {
+  Point at(double degrees, double fraction) const {
     const double angle = degrees * std::numbers::pi / 180;
-    return centre_ + Point(std::sin(angle), -std::cos(angle)) * (share * radius_);
+    return centre_ + Point(std::sin(angle), -std::cos(angle)) * (fraction * radius_);
   }
 
   void draw_rings(const PolarScale& scale, Svg& svg) const {
     for (const double ring : scale.rings()) {
       std::vector<Point> arc;
-      for (int degrees = -90; degrees <= 90; degrees += 3) arc.push_back(at(degrees, scale.share(ring)));
+      for (int degrees = -90; degrees <= 90; degrees += 3) arc.push_back(at(degrees, scale.fraction(ring)));
       svg.polyline(arc, Grid);
-      svg.text(at(90, scale.share(ring)) + Point(0, 14), label_of(ring),
+      svg.text(at(90, scale.fraction(ring)) + Point(0, 14), label_of(ring),
                {SmallText, "#333", Anchor::Middle, 0});
     }
     svg.text(centre_ + Point(0, 14), "0", {SmallText, "#333", Anchor::Middle, 0});
@@ -317,10 +320,10 @@ class Fan {
   }
 
   template <class Share>
-  void draw_lines(const std::vector<Series>& series, const Share& share, Svg& svg) const {
+  void draw_lines(const std::vector<Series>& series, const Share& fraction, Svg& svg) const {
     for (std::size_t i = 0; i < series.size(); ++i) {
       std::vector<Point> line;
-      for (const Point& point : series[i].points) line.push_back(at(point.x, share(point.y)));
+      for (const Point& point : series[i].points) line.push_back(at(point.x, fraction(point.y)));
       svg.polyline(line, {colour_of(series, i), LineWidth, series[i].dashes});
     }
   }
@@ -347,13 +350,13 @@ PolarScale::PolarScale(const PolarChart& chart) : is_logarithmic_(chart.is_logar
   outermost_ = rings_.back();
 }
 
-double PolarScale::share(double value) const {
+double PolarScale::fraction(double value) const {
   if (value >= outermost_) return 1;
   if (!is_logarithmic_) return value / outermost_;
   return value > 0 ? std::max(0.0, 1 + std::log10(value / outermost_) / Decades) : 0;
 }
 
-void draw(const PolarChart& chart, const Place& place, Svg& svg) {
+void draw(const PolarChart& chart, const Rectangle& place, Svg& svg) {
   constexpr double LeastLegend = 130;  // so that charts of one kind are of one size
   const double legend = legend_width(chart.series);
   const double width = place.width - (has_legend(chart.series) ? std::max(LeastLegend, legend) : legend);
@@ -366,9 +369,9 @@ void draw(const PolarChart& chart, const Place& place, Svg& svg) {
   svg.text(fan.centre() + Point(0, 32), chart.unit, {SmallText, "#333", Anchor::Middle, 0});
   svg.text(fan.centre() + Point(0, 48), chart.note, {SmallText, "#333", Anchor::Middle, 0});
   fan.draw_lines(
-      chart.series, [&](double value) { return scale.share(value); }, svg);
+      chart.series, [&](double value) { return scale.fraction(value); }, svg);
   fan.draw_lines(
-      chart.shares, [](double share) { return share; }, svg);
+      chart.fractions, [](double fraction) { return fraction; }, svg);
   std::vector<Series> named = chart.series;
   for (Series& one : named) {
     const double reach = largest_distance(one);

@@ -36,7 +36,7 @@ struct AxisEnds {
 };
 AxisEnds ends_of(const Axis& axis, const std::vector<Series>& series, double Point::*coordinate);
 
-struct Place {
+struct Rectangle {
   Point corner;  ///< upper left
   double width = 0;
   double height = 0;
@@ -53,19 +53,19 @@ struct Chart {
 /// Draws axes with ticks, the lines clipped to the ranges, and a legend at the right if there are several. On
 /// a logarithmic axis, values of 0 and less are far below its range. If its limits are no powers of ten, it
 /// has ticks at 1, 2 and 5.
-void draw(const Chart& chart, const Place& place, Svg& svg);
+void draw(const Chart& chart, const Rectangle& place, Svg& svg);
 
 /// Places labels one below the other, at least `distance` apart and within the limits, each as near as
 /// possible to its desired position. The result is in the order of the wishes.
-std::vector<double> apart(const std::vector<double>& wishes, double distance, double from, double to);
+std::vector<double> spread_labels(const std::vector<double>& wishes, double distance, double from, double to);
 
 /// A chart of radii over angles from the vertical, -90 to 90 degrees.
 struct PolarChart {
   std::string title;
   std::string unit;
-  std::string note;            ///< a line below the chart
-  std::vector<Series> series;  ///< points of angle in degrees and radius
-  std::vector<Series> shares;  ///< the same, with radii as fractions of the outermost ring
+  std::string note;               ///< a line below the chart
+  std::vector<Series> series;     ///< points of angle in degrees and radius
+  std::vector<Series> fractions;  ///< the same, with radii as fractions of the outermost ring
   /// The radius limit; longer lines are clipped, with a note. Absent: all values fit.
   std::optional<double> maximum;
   bool is_logarithmic = false;  ///< radii span five powers of ten
@@ -79,7 +79,7 @@ class PolarScale {
   /// Returns round values, innermost first. The last is at least the largest value.
   const std::vector<double>& rings() const { return rings_; }
   /// Returns a value's radius as a fraction of the outermost ring's. Larger values are clipped.
-  double share(double value) const;
+  double fraction(double value) const;
   double outermost() const { return outermost_; }
 
  private:
@@ -88,6 +88,6 @@ class PolarScale {
   std::vector<double> rings_;
 };
 
-void draw(const PolarChart& chart, const Place& place, Svg& svg);
+void draw(const PolarChart& chart, const Rectangle& place, Svg& svg);
 
 }  // namespace plot

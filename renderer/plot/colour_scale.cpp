@@ -69,8 +69,8 @@ ColourScale::ColourScale(double least, double largest) {
 
 grf::Colour ColourScale::colour(double value) const {
   const double range = std::log(highest_ / lowest_);
-  const double share = std::clamp(std::log(std::max(value, lowest_) / lowest_) / range, 0.0, 1.0);
-  const double place = share * (Colours.size() - 1);
+  const double fraction = std::clamp(std::log(std::max(value, lowest_) / lowest_) / range, 0.0, 1.0);
+  const double place = fraction * (Colours.size() - 1);
   const auto index = std::min(static_cast<std::size_t>(place), Colours.size() - 2);
   const auto rest = static_cast<float>(place - static_cast<double>(index));
   return decoded(Colours[index]) * (1 - rest) + decoded(Colours[index + 1]) * rest;
@@ -81,7 +81,7 @@ std::string hexadecimal(const grf::Colour& encoded) {
   return fmt::format("#{:02x}{:02x}{:02x}", byte(encoded.x), byte(encoded.y), byte(encoded.z));
 }
 
-void draw(const ColourScale& scale, const Place& place, Svg& svg) {
+void draw(const ColourScale& scale, const Rectangle& place, Svg& svg) {
   constexpr int Strips = 64;
   const double range = std::log(scale.highest() / scale.lowest());
   const double height = place.height / Strips;

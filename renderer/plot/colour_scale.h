@@ -29,7 +29,7 @@ class ColourScale {
 };
 
 /// Draws a vertical colour bar with values at its right.
-void draw(const ColourScale& scale, const Place& place, Svg& svg);
+void draw(const ColourScale& scale, const Rectangle& place, Svg& svg);
 
 /// Formats a colour as `#rrggbb`.
 std::string hexadecimal(const grf::Colour& encoded);

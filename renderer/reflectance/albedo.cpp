@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 
 namespace reflectance {
 Rgb albedo(const Reflector& reflector, const Vec3f& u, int count) {
   Imath::V3d sum(0);
   for (int i = 0; i < count; ++i) {
-    const auto drawn = reflector.sample(u, even_point(static_cast<std::uint32_t>(i)));
+    const auto drawn = reflector.sample(u, halton_point(static_cast<std::uint32_t>(i)));
     if (drawn) sum += Imath::V3d(drawn->weight);
   }
   return Rgb(sum / count);

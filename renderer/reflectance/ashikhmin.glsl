@@ -6,7 +6,7 @@ real ashikhmin_power(vec3 h, real ex, real ey) {
   return exp((ex * x2 + ey * y2) / (x2 + y2) * log1p(tan2_of_half(h)) / -2);
 }
 
-vec3 ashikhmin_matte(vec3 u, vec3 v, vec3 rs, vec3 rd) {
+vec3 ashikhmin_diffuse(vec3 u, vec3 v, vec3 rs, vec3 rd) {
   real brackets = one_minus_fifth_power(u.z / 2) * one_minus_fifth_power(v.z / 2);
   return rd * (vec3(1) - rs) * (28 * brackets / (23 * PI));
 }
@@ -16,5 +16,5 @@ vec3 ashikhmin(vec3 u, vec3 v, real ex, real ey, vec3 rs, vec3 rd) {
   if (below_horizon(u, v)) return vec3(0);
   real c = cosine_at_half(u, v);
   real lobe = sqrt((ex + 1) * (ey + 1)) / (8 * PI) * ashikhmin_power(u + v, ex, ey) / (c * max(u.z, v.z));
-  return bounded(schlick_fresnel(rs, 1 - c) * lobe + ashikhmin_matte(u, v, rs, rd));
+  return bounded(schlick_fresnel(rs, 1 - c) * lobe + ashikhmin_diffuse(u, v, rs, rd));
 }

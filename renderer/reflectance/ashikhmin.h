@@ -32,13 +32,13 @@ inline Vec3f anisotropic_lobe_direction(const Vec3f& u, const LobeExponents& e, 
   const float y = std::sqrt(e.x + 1) * std::sin(psi);
   const float length2 = x * x + y * y;
   const float exponent = (e.x * x * x + e.y * y * y) / length2;
-  const float below_one = -std::expm1(std::log1p(-xi.x) / (exponent + 1));
-  const float sine = std::sqrt(below_one * (2 - below_one) / length2);
-  return reflected(u, Vec3f(sine * x, sine * y, 1 - below_one));
+  const float one_minus_cos = -std::expm1(std::log1p(-xi.x) / (exponent + 1));
+  const float sine = std::sqrt(one_minus_cos * (2 - one_minus_cos) / length2);
+  return reflected(u, Vec3f(sine * x, sine * y, 1 - one_minus_cos));
 }
 
 /// Returns the solid-angle pdf of `anisotropic_lobe_direction`.
-inline float anisotropic_lobe_density(const Vec3f& u, const Vec3f& v, const LobeExponents& e) {
+inline float anisotropic_lobe_pdf(const Vec3f& u, const Vec3f& v, const LobeExponents& e) {
   return std::sqrt((e.x + 1) * (e.y + 1)) / (8 * Pi) *
          glsl::AshikhminFormula<float>().ashikhmin_power(u + v, e.x, e.y) / cosine_of_half(u, v);
 }
@@ -67,7 +67,7 @@ struct Ashikhmin : CosineAndLobe<Ashikhmin> {
                        reflectance_parameter(&Ashikhmin::rd, "Rd", "reflectance of the diffuse part",
                                              {"kd"})},
         .not_isotropic = "isotropic if ex = ey",
-        .about =
+        .description =
             "Brushed metal and polished plastic from few, intuitive parameters: an anisotropic Phong lobe "
             "that strengthens towards grazing as Fresnel reflection does, over a diffuse part that fades by "
             "as much. ex and ey are the exponents along and across the tangent (10 is dull, 1000 polished), "
@@ -89,22 +89,22 @@ e = ex cos(phi)^2 + ey sin(phi)^2, phi: the azimuth of h;  F = Rs + (1-Rs) (1-u.
   bool has_glossy_part() const { return true; }
   bool is_anisotropic() const { return ex != ey; }
 
-  Rgb matte_weight(const Vec3f& u, const Vec3f& v) const {
-    return formula<float>().ashikhmin_matte(u, v, rs, rd) * Pi;
+  Rgb diffuse_weight(const Vec3f& u, const Vec3f& v) const {
+    return formula<float>().ashikhmin_diffuse(u, v, rs, rd) * Pi;
   }
-  float matte_albedo(const Vec3f&) const { return mean(rd * (Rgb(1) - rs)); }
+  float diffuse_albedo(const Vec3f&) const { return mean(rd * (Rgb(1) - rs)); }
 
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
     return anisotropic_lobe_direction(u, {ex, ey}, xi);
   }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const {
-    return anisotropic_lobe_density(u, v, {ex, ey});
-  }
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const { return anisotropic_lobe_pdf(u, v, {ex, ey}); }
   Rgb lobe_weight(const Vec3f& u, const Vec3f& v) const {
     return formula<float>().schlick_fresnel(rs, 1 - std::min(1.0F, cosine_of_half(u, v))) *
            (v.z / std::max(u.z, v.z));
   }
-  float lobe_share(const Vec3f& u) const { return mean(formula<float>().schlick_fresnel(rs, 1 - u.z)); }
+  float lobe_albedo_estimate(const Vec3f& u) const {
+    return mean(formula<float>().schlick_fresnel(rs, 1 - u.z));
+  }
 
  private:
   template <class Real>

@@ -59,7 +59,7 @@ struct BeardMaxwell : CosineAndLobe<BeardMaxwell> {
         .not_conserving =
             "the first surface grows as 1/(cos cos) towards grazing, as published, and the volume reflects "
             "1.227 Rv at normal and up to 4 Rv at grazing incidence",
-        .about =
+        .description =
             "Painted surfaces, as in the NEF data base: a rough first surface, volume scattering in the "
             "paint, and a Lambertian part. Rs, Rv and Rd are their weights and sigma the width of the "
             "highlight, whose tails are long. omega and tau control shadowing and obscuration away from the "
@@ -83,8 +83,8 @@ S = (1 + delta/omega exp(-2 beta/tau))/(1 + delta/omega), beta: the angle of u a
   bool has_diffuse_part() const { return !is_black(rd); }
   bool has_glossy_part() const { return !is_black(rs) || !is_black(rv); }
 
-  float matte_albedo(const Vec3f&) const { return mean(rd); }
-  float lobe_share(const Vec3f& u) const { return surface_albedo(u) + volume_albedo(); }
+  float diffuse_albedo(const Vec3f&) const { return mean(rd); }
+  float lobe_albedo_estimate(const Vec3f& u) const { return surface_albedo(u) + volume_albedo(); }
 
   // Samples the facets, or the volume lobe 1/(cos + cos), for which uniform directions suffice.
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
@@ -96,7 +96,7 @@ S = (1 + delta/omega exp(-2 beta/tau))/(1 + delta/omega), beta: the angle of u a
     const float cosine = 1 / std::sqrt(1 + tangent * tangent);
     return reflected(u, from_angles(cosine, tangent * cosine, phi));
   }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const {
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const {
     const Vec3f h = u + v;
     const float c = cosine_of_half(u, v);
     const float scaled = std::sqrt(sigma * sigma * h.z * h.z + h.x * h.x + h.y * h.y) / (2 * c);

@@ -17,7 +17,7 @@ inline Vec3f beckmann_direction(const Vec3f& u, float ax, float ay, const Vec2f&
 }
 
 /// Returns its solid-angle pdf, D cos(theta_h) / (4 u.h).
-inline float beckmann_density(const Vec3f& u, const Vec3f& v, float ax, float ay) {
+inline float beckmann_pdf(const Vec3f& u, const Vec3f& v, float ax, float ay) {
   const Vec3f h = u + v;
   const float x = h.x / (ax * h.z);
   const float y = h.y / (ay * h.z);

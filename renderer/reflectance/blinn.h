@@ -36,7 +36,7 @@ struct Blinn : DiffuseAndLobe<Blinn> {
                        reflectance_parameter(&Blinn::kd, "kd", "albedo of the diffuse part")},
         .not_conserving =
             "the albedo exceeds 1 for kd + 8 pi ks (n+2^(-n/2))/((n+2)(n+4)) > 1: the lobe is not normalised",
-        .about =
+        .description =
             "Phong's lobe, as a function of the half vector: its highlights stretch towards grazing, as "
             "those of real surfaces do. For the same n it is twice as wide as `phong` and reflects four "
             "times as much; ks is again the lobe's peak. Blinn's own microfacet model of 1977 is `torrance`.",
@@ -51,7 +51,7 @@ struct Blinn : DiffuseAndLobe<Blinn> {
   }
 
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const { return reflected(u, power_direction(n, xi)); }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const { return half_power_density(u, v, n); }
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const { return half_power_pdf(u, v, n); }
   float lobe_ratio(const Vec3f& u, const Vec3f& v) const {
     return 8 * Pi * cosine_of_half(u, v) / (n + 1) * v.z;
   }

@@ -22,16 +22,16 @@ Rgb evaluate(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
   return std::visit([&](const auto& model) { return model.evaluate(u, v); }, brdf);
 }
 
-Rgb mirror(const Brdf& brdf, const Vec3f& u) {
-  return std::visit([&](const auto& model) { return mirror_of(model, u); }, brdf);
+Rgb specular_weight(const Brdf& brdf, const Vec3f& u) {
+  return std::visit([&](const auto& model) { return specular_weight_of(model, u); }, brdf);
 }
 
 std::optional<DirectionSample> own_sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) {
   return std::visit([&](const auto& model) { return model.sample(u, xi); }, brdf);
 }
 
-float own_density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
-  return std::visit([&](const auto& model) { return model.density(u, v); }, brdf);
+float own_pdf(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
+  return std::visit([&](const auto& model) { return model.pdf(u, v); }, brdf);
 }
 
 Brdf default_brdf() { return Diffuse(); }
@@ -42,16 +42,16 @@ grf::BrdfModel default_model() {
   return model;
 }
 
-bool has_mirror(const Brdf& brdf) {
+bool has_specular_part(const Brdf& brdf) {
   return std::visit(
       [](const auto& model) {
-        if constexpr (requires { model.has_mirror(); }) return model.has_mirror();
-        return requires { model.mirror(Vec3f()); };
+        if constexpr (requires { model.has_specular_part(); }) return model.has_specular_part();
+        return requires { model.specular_weight(Vec3f()); };
       },
       brdf);
 }
 
-bool has_density(const Brdf& brdf) { return has_diffuse_part(brdf) || has_glossy_part(brdf); }
+bool has_nonspecular_part(const Brdf& brdf) { return has_diffuse_part(brdf) || has_glossy_part(brdf); }
 
 bool has_diffuse_part(const Brdf& brdf) {
   return std::visit(

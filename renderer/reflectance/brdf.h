@@ -82,27 +82,27 @@ Rgb evaluate(const Brdf& brdf, const Vec3f& u, const Vec3f& v);
 
 /// Returns the weight of a model's delta part, 0 if it has none.
 template <class Model>
-Rgb mirror_of(const Model& model, const Vec3f& u) {
-  if constexpr (requires { model.mirror(u); }) {
-    return model.mirror(u);
+Rgb specular_weight_of(const Model& model, const Vec3f& u) {
+  if constexpr (requires { model.specular_weight(u); }) {
+    return model.specular_weight(u);
   } else {
     return Rgb(0);
   }
 }
-Rgb mirror(const Brdf& brdf, const Vec3f& u);
+Rgb specular_weight(const Brdf& brdf, const Vec3f& u);
 
 /// Draws a direction with the model's own closed-form sampler, with its pdf.
 std::optional<DirectionSample> own_sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi);
-float own_density(const Brdf& brdf, const Vec3f& u, const Vec3f& v);
+float own_pdf(const Brdf& brdf, const Vec3f& u, const Vec3f& v);
 
 // The queries below tell the lobes that a BRDF has with its parameters. A model may have a member of the same
 // name; else the answer is inferred, so that a lobe is rather assumed than missed.
 
-/// Returns true if there is a delta part. Inferred from `mirror`.
-bool has_mirror(const Brdf& brdf);
+/// Returns true if there is a delta part. Inferred from `specular_weight`.
+bool has_specular_part(const Brdf& brdf);
 
 /// Returns true if there is anything besides a delta part.
-bool has_density(const Brdf& brdf);
+bool has_nonspecular_part(const Brdf& brdf);
 
 /// Returns true if there is a diffuse lobe, which suits cosine-weighted sampling. Inferred from `kd`.
 bool has_diffuse_part(const Brdf& brdf);

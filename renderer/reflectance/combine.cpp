@@ -40,11 +40,11 @@ Reflection reflection_of(const CombinedBrdfs& parts, const Albedos& albedos, con
     std::visit(
         [&](const auto& model) {
           sum.value += model.evaluate(u, v) * parts[i].weight;
-          if (albedos[i] > 0) sum.density += albedos[i] * model.density(u, v);
+          if (albedos[i] > 0) sum.pdf += albedos[i] * model.pdf(u, v);
         },
         parts[i].brdf);
   }
-  sum.density = total > 0 ? sum.density / total : 0;
+  sum.pdf = total > 0 ? sum.pdf / total : 0;
   return sum;
 }
 
@@ -63,10 +63,10 @@ Vec3<Real> Combine::evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
 template Vec3<float> Combine::evaluate(const Vec3<float>& u, const Vec3<float>& v) const;
 template Vec3<double> Combine::evaluate(const Vec3<double>& u, const Vec3<double>& v) const;
 
-Rgb Combine::mirror(const Vec3f& u) const {
+Rgb Combine::specular_weight(const Vec3f& u) const {
   Rgb sum(0);
   if (!parts) return sum;
-  for (const CombinedBrdf& part : *parts) sum += reflectance::mirror(part.brdf, u) * part.weight;
+  for (const CombinedBrdf& part : *parts) sum += reflectance::specular_weight(part.brdf, u) * part.weight;
   return sum;
 }
 
@@ -88,26 +88,26 @@ std::optional<DirectionSample> Combine::sample(const Vec3f& u, const Uniforms& x
   if (!(total > 0)) return std::nullopt;
   float before = 0;
   for (std::size_t i = 0; i < albedos.size(); ++i) {
-    const float share = albedos[i] / total;
+    const float fraction = albedos[i] / total;
     const bool is_last = i + 1 == albedos.size();
-    if (!(share > 0) || (xi.choice >= before + share && !is_last)) {
-      before += share;
+    if (!(fraction > 0) || (xi.choice >= before + fraction && !is_last)) {
+      before += fraction;
       continue;
     }
     Uniforms rest = xi;
-    rest.choice = std::clamp((xi.choice - before) / share, 0.0F, 0x1.fffffep-1F);
+    rest.choice = std::clamp((xi.choice - before) / fraction, 0.0F, 0x1.fffffep-1F);
     const auto drawn = std::visit([&](const auto& model) { return model.sample(u, rest); }, (*parts)[i].brdf);
     if (!drawn) return std::nullopt;
     const Vec3f& v = drawn->direction;
     const Reflection reflection = reflection_of(*parts, albedos, u, v);
-    if (!(reflection.density > 0) || !std::isfinite(reflection.density)) return std::nullopt;
-    return DirectionSample{v, reflection.value * (v.z / reflection.density), reflection.density};
+    if (!(reflection.pdf > 0) || !std::isfinite(reflection.pdf)) return std::nullopt;
+    return DirectionSample{v, reflection.value * (v.z / reflection.pdf), reflection.pdf};
   }
   return std::nullopt;
 }
 
-bool Combine::has_mirror() const {
-  return any_part(parts, [](const Brdf& brdf) { return reflectance::has_mirror(brdf); });
+bool Combine::has_specular_part() const {
+  return any_part(parts, [](const Brdf& brdf) { return reflectance::has_specular_part(brdf); });
 }
 bool Combine::has_diffuse_part() const {
   return any_part(parts, [](const Brdf& brdf) { return reflectance::has_diffuse_part(brdf); });

@@ -7,4 +7,4 @@ vec3 coupled(vec3 u, vec3 v, vec3 rm, vec3 r0) {
 }
 
 // Returns the weight of the delta part.
-vec3 coupled_mirror(vec3 u, vec3 r0) { return schlick_fresnel(r0, 1 - u.z); }
+vec3 coupled_specular(vec3 u, vec3 r0) { return schlick_fresnel(r0, 1 - u.z); }

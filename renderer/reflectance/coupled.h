@@ -35,14 +35,14 @@ struct Coupled {
                        rgb_parameter(&Coupled::r0, "R0", 0, 0.999F,
                                      "specular reflectance at normal incidence", grf::ParameterScale::Linear,
                                      {"Ro"})},
-        .about =
+        .description =
             "Glossy paint, glazed ceramics and varnished wood: a smooth dielectric coat over a diffuse base. "
             "Towards grazing the specular reflection strengthens and the diffuse part fades by as much, so "
             "that with Rm = 1 they reflect exactly 1 at every angle. Rm is the diffuse colour, R0 the "
             "specular reflectance at normal incidence (0.03 to 0.06 for dielectrics).",
         .formula = R"(
 f = 21 (1-R0)/(20 pi) Rm (1 - (1-cu)^5) (1 - (1-cv)^5)
-mirror(u) = R0 + (1-R0) (1-cu)^5)",
+specular_weight(u) = R0 + (1-R0) (1-cu)^5)",
         .example = "coupled Rm=1 R0=0.05",
     };
   }
@@ -52,8 +52,8 @@ mirror(u) = R0 + (1-R0) (1-cu)^5)",
     return glsl::CoupledFormula<Real>().coupled(u, v, Vec3<Real>(rm), Vec3<Real>(r0));
   }
 
-  Rgb mirror(const Vec3f& u) const {
-    return u.z > 1e-12F ? glsl::CoupledFormula<float>().coupled_mirror(u, r0) : Rgb(0);
+  Rgb specular_weight(const Vec3f& u) const {
+    return u.z > 1e-12F ? glsl::CoupledFormula<float>().coupled_specular(u, r0) : Rgb(0);
   }
 
   bool has_diffuse_part() const { return !is_black(rm); }
@@ -65,9 +65,9 @@ mirror(u) = R0 + (1-R0) (1-cu)^5)",
   std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
     const Vec3f v = cosine_direction(xi.direction);
     if (u.z <= 0 || v.z <= 0) return std::nullopt;
-    return DirectionSample{v, evaluate(u, v) * Pi, cosine_density(v)};
+    return DirectionSample{v, evaluate(u, v) * Pi, cosine_pdf(v)};
   }
-  float density(const Vec3f& u, const Vec3f& v) const { return u.z > 0 ? cosine_density(v) : 0; }
+  float pdf(const Vec3f& u, const Vec3f& v) const { return u.z > 0 ? cosine_pdf(v) : 0; }
 };
 
 }  // namespace reflectance

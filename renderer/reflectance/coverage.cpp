@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 
 namespace reflectance {
 namespace {
@@ -17,14 +17,14 @@ struct Carried {
 
 /// Samples with the BRDF's own sampler, whose pdf is above 0 everywhere.
 std::optional<Carried> carried(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::uint32_t index) {
-  const auto drawn = OwnScheme().sample(brdf, u, even_point(index));
+  const auto drawn = OwnScheme().sample(brdf, u, halton_point(index));
   if (!drawn || !(mean(drawn->weight) > 0)) return std::nullopt;
-  const float density = reflectance::density(scheme, brdf, u, drawn->direction);
+  const float pdf = reflectance::pdf(scheme, brdf, u, drawn->direction);
   const float value = mean(evaluate(brdf, u, drawn->direction)) * drawn->direction.z;
-  return Carried{mean(drawn->weight), density > 0 ? value / density : HUGE_VALF};
+  return Carried{mean(drawn->weight), pdf > 0 ? value / pdf : HUGE_VALF};
 }
 
-float missed_share(const Scheme& scheme, const Brdf& brdf, const Vec3f& u) {
+float missed_fraction(const Scheme& scheme, const Brdf& brdf, const Vec3f& u) {
   constexpr std::uint32_t Directions = 1024;
   constexpr double MostWeight = 100;  // in albedos
   std::array<Carried, Directions> all = {};
@@ -42,15 +42,16 @@ float missed_share(const Scheme& scheme, const Brdf& brdf, const Vec3f& u) {
 
 }  // namespace
 
-float missed_share(const Scheme& scheme, const Brdf& brdf) {
+float missed_fraction(const Scheme& scheme, const Brdf& brdf) {
   constexpr std::array<float, 6> Degrees = {1, 20, 40, 60, 75, 85};
   constexpr std::array<float, 3> Azimuths = {0, 0.7F, 1.5F};
-  if (!has_density(brdf)) return 0;
+  if (!has_nonspecular_part(brdf)) return 0;
   float most = 0;
   for (const float degrees : Degrees) {
     const float theta = degrees * Pi / 180;
     for (const float phi : Azimuths) {
-      most = std::max(most, missed_share(scheme, brdf, from_angles(std::cos(theta), std::sin(theta), phi)));
+      most =
+          std::max(most, missed_fraction(scheme, brdf, from_angles(std::cos(theta), std::sin(theta), phi)));
     }
   }
   return most;

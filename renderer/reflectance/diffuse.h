@@ -27,7 +27,7 @@ struct Diffuse {
         .title = "Lambert",
         .paper = "Lambert 1760",
         .parameters = {reflectance_parameter(&Diffuse::kd, "kd", "albedo")},
-        .about =
+        .description =
             "The ideal diffuse surface: it looks equally bright from everywhere, whatever the light's "
             "direction. kd is its albedo. It is the BRDF of faces without one, with kd = 0.5.",
         .formula = "f = kd/pi",
@@ -45,9 +45,9 @@ struct Diffuse {
   std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
     const Vec3f v = cosine_direction(xi.direction);
     if (u.z <= 0 || v.z <= 0) return std::nullopt;
-    return DirectionSample{v, kd, cosine_density(v)};
+    return DirectionSample{v, kd, cosine_pdf(v)};
   }
-  float density(const Vec3f& u, const Vec3f& v) const { return u.z > 0 ? cosine_density(v) : 0; }
+  float pdf(const Vec3f& u, const Vec3f& v) const { return u.z > 0 ? cosine_pdf(v) : 0; }
 };
 
 }  // namespace reflectance

@@ -6,16 +6,16 @@ namespace reflectance {
 
 /// The sampler of models of the form kd/pi + ks * lobe. A model derives from it, has `kd` and `ks`, and
 /// provides for its lobe with ks = 1
-///   Vec3f lobe_direction(u, xi)   as in CosineAndLobe, and its
-///   float lobe_density(u, v)      solid-angle pdf,
-///   float lobe_ratio(u, v)        lobe cos(theta_v) / lobe_density, in closed form,
-///   float lobe_albedo(u)          estimated albedo.
+///   Vec3f lobe_direction(u, xi)         as in CosineAndLobe, and its
+///   float lobe_pdf(u, v)                solid-angle pdf,
+///   float lobe_ratio(u, v)              lobe cos(theta_v) / lobe_pdf, in closed form,
+///   float lobe_albedo(u)                estimated albedo.
 template <class Model>
 struct DiffuseAndLobe : CosineAndLobe<Model> {
-  Rgb matte_weight(const Vec3f&, const Vec3f&) const { return model().kd; }
-  float matte_albedo(const Vec3f&) const { return mean(model().kd); }
+  Rgb diffuse_weight(const Vec3f&, const Vec3f&) const { return model().kd; }
+  float diffuse_albedo(const Vec3f&) const { return mean(model().kd); }
   Rgb lobe_weight(const Vec3f& u, const Vec3f& v) const { return model().ks * model().lobe_ratio(u, v); }
-  float lobe_share(const Vec3f& u) const { return mean(model().ks) * model().lobe_albedo(u); }
+  float lobe_albedo_estimate(const Vec3f& u) const { return mean(model().ks) * model().lobe_albedo(u); }
 
  private:
   const Model& model() const { return static_cast<const Model&>(*this); }

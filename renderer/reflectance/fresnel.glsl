@@ -34,13 +34,13 @@ real fresnel_at_half(vec3 u, vec3 v, real n, real k) {
 }
 
 // Computes Schlick's approximation from the reflectance at normal incidence and 1 - c.
-vec3 schlick_fresnel(vec3 normal, real below_one) {
-  return normal + (vec3(1) - normal) * fifth_power(below_one);
+vec3 schlick_fresnel(vec3 normal, real one_minus_cos) {
+  return normal + (vec3(1) - normal) * fifth_power(one_minus_cos);
 }
 
 // Computes 1 minus Schlick's approximation from c, without the difference, which cancels at grazing.
 vec3 schlick_transmittance(vec3 normal, real c) { return (vec3(1) - normal) * one_minus_fifth_power(c); }
 
-real schlick_fresnel(real normal, real below_one) {
-  return normal + (1 - normal) * fifth_power(below_one);
+real schlick_fresnel(real normal, real one_minus_cos) {
+  return normal + (1 - normal) * fifth_power(one_minus_cos);
 }

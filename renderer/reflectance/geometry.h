@@ -37,9 +37,9 @@ inline Vec3f from_angles(float cosine, float sine, float phi) {
 
 /// Samples a direction with pdf (n+1)/(2 pi) cos(theta)^n. Computes 1 - cos, so that n = 1e6 keeps its shape.
 inline Vec3f power_direction(float n, const Vec2f& xi) {
-  const float below_one = -std::expm1(std::log1p(-xi.x) / (n + 1));
-  const float sine = std::sqrt(below_one * (2 - below_one));
-  return from_angles(1 - below_one, sine, 2 * Pi * xi.y);
+  const float one_minus_cos = -std::expm1(std::log1p(-xi.x) / (n + 1));
+  const float sine = std::sqrt(one_minus_cos * (2 - one_minus_cos));
+  return from_angles(1 - one_minus_cos, sine, 2 * Pi * xi.y);
 }
 
 /// An orthonormal basis about a unit vector, without the cancellation of a cross product with a fixed axis
@@ -111,6 +111,6 @@ inline Vec3f cosine_direction(const Vec2f& xi) {
 inline Vec3f uniform_direction(const Vec2f& xi) {
   return from_angles(1 - xi.x, std::sqrt(xi.x * (2 - xi.x)), 2 * Pi * xi.y);
 }
-inline float cosine_density(const Vec3f& v) { return std::max(0.0F, v.z) / Pi; }
+inline float cosine_pdf(const Vec3f& v) { return std::max(0.0F, v.z) / Pi; }
 
 }  // namespace reflectance

@@ -22,8 +22,8 @@ real two_beams(real r, real t, real order) {
   real place = order - floor(order) - real(0.5);
   real s = sin(PI * place);
   real fringes = (a - b) * (a - b) + 4 * a * b * s * s;
-  real seen = min(real(1), max(real(0), (100 - order) / 80));
-  return seen * fringes + (1 - seen) * (r + t);
+  real resolved = min(real(1), max(real(0), (100 - order) / 80));
+  return resolved * fringes + (1 - resolved) * (r + t);
 }
 
 // Terms common to all channels: exponent and normal of the inner lobe, both lobes without factors that depend
@@ -33,7 +33,7 @@ struct Film {
   vec2 inner_normal;
   real outer;
   real inner;
-  real below_one;
+  real one_minus_cos;
   real path;
 };
 
@@ -42,7 +42,7 @@ real film_channel(Film film, vec3 u, vec3 v, real nreal, real lambda, real ks, r
   real f0 = (nreal - 1) * (nreal - 1) / (next * next);
   real entering = 4 / (next * next);  // (1 - f0) / nreal
   real inner = tilted_power(half_inside(u, v, nreal), film.m, film.inner_normal);
-  real reflected = ks * schlick_fresnel(f0, film.below_one) * film.outer;
+  real reflected = ks * schlick_fresnel(f0, film.one_minus_cos) * film.outer;
   return two_beams(reflected, kt * entering * entering * film.inner * inner, nreal / lambda * film.path);
 }
 
@@ -55,7 +55,7 @@ vec3 granier(vec3 u, vec3 v, vec3 nreal, real d, real n, real m, real tilt, vec3
   film.inner_normal = vec2(sin(tilt), cos(tilt));
   film.outer = half_power_scale(n) * half_power(u, v, n);
   film.inner = half_power_scale(m) * one_minus_fifth_power(u.z) * one_minus_fifth_power(v.z);
-  film.below_one = (e.x * e.x + e.y * e.y + e.z * e.z) / (4 * (1 + c));
+  film.one_minus_cos = (e.x * e.x + e.y * e.y + e.z * e.z) / (4 * (1 + c));
   film.path = 2 * d * min(real(1), (u.z + v.z) / (2 * c));
   return bounded(kd / PI + vec3(film_channel(film, u, v, nreal.x, real(645), ks.x, kt.x),
                                 film_channel(film, u, v, nreal.y, real(525), ks.y, kt.y),

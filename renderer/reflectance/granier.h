@@ -63,7 +63,7 @@ struct Granier : CosineAndLobe<Granier> {
         .not_conserving = "beams in phase reflect up to twice their sum, as published",
         .not_continuous =
             "in the dark middle of a fringe of two equal beams only rounding is left, some 1e-9 of the peak",
-        .about =
+        .description =
             "Old metal, lacquer and dirt under a film of oil: thin-film interference of the beams from the "
             "film's surface and its base, so that colours change with the angle. d is the film's thickness, "
             "from the first colours (100 nm) to a pale rainbow (over 1000), n and m the exponents of the two "
@@ -87,32 +87,32 @@ C(n) = (n+2)(n+4)/(8 pi (2^(-n/2) + n)))",
   bool is_anisotropic() const { return tilt != 0; }
   bool has_glossy_part() const { return !is_black(ks) || !is_black(kt); }
 
-  float matte_albedo(const Vec3f&) const { return mean(kd); }
-  float lobe_share(const Vec3f& u) const { return outer_albedo(u) + inner_albedo(u); }
+  float diffuse_albedo(const Vec3f&) const { return mean(kd); }
+  float lobe_albedo_estimate(const Vec3f& u) const { return outer_albedo(u) + inner_albedo(u); }
 
   // Samples the inner lobe inside, for one of the three indices of refraction.
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
     const Vec3f h = power_direction(xi.choice < outer_probability(u) ? n : m, xi.direction);
     if (xi.choice < outer_probability(u)) return reflected(u, h);
-    const int channel = std::min(2, static_cast<int>(3 * rest_of(xi, outer_probability(u)).choice));
+    const int channel = std::min(2, static_cast<int>(3 * rescale(xi, outer_probability(u)).choice));
     const Vec3f inside = Formula().refracted(u, nreal[channel]);
     const Vec3f facet = Frame({std::sin(tilt), 0, std::cos(tilt)}).to_world(h);
     if (!(inside.dot(facet) > 0)) return Vec3f(0);
     return refracted_out(reflected(inside, facet), nreal[channel]);
   }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const {
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const {
     const float outer = outer_probability(u);
-    return outer * half_power_density(u, v, n) + (1 - outer) * inner_density(u, v);
+    return outer * half_power_pdf(u, v, n) + (1 - outer) * inner_pdf(u, v);
   }
 
  private:
   using Formula = glsl::GranierFormula<float>;
 
-  float inner_density(const Vec3f& u, const Vec3f& v) const {
-    if (nreal == Rgb(nreal.x)) return inner_density(u, v, nreal.x);
-    return (inner_density(u, v, nreal.x) + inner_density(u, v, nreal.y) + inner_density(u, v, nreal.z)) / 3;
+  float inner_pdf(const Vec3f& u, const Vec3f& v) const {
+    if (nreal == Rgb(nreal.x)) return inner_pdf(u, v, nreal.x);
+    return (inner_pdf(u, v, nreal.x) + inner_pdf(u, v, nreal.y) + inner_pdf(u, v, nreal.z)) / 3;
   }
-  float inner_density(const Vec3f& u, const Vec3f& v, float index) const {
+  float inner_pdf(const Vec3f& u, const Vec3f& v, float index) const {
     const Vec3f a = Formula().refracted(u, index);
     const Vec3f b = Formula().refracted(v, index);
     return (m + 1) / (8 * Pi * cosine_of_half(a, b)) *

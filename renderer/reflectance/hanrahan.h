@@ -54,7 +54,7 @@ struct Hanrahan : CosineAndLobe<Hanrahan> {
                                         Logarithmic),
                        reflectance_parameter(&Self::ks, "ks", "weight of the surface reflection"),
                        reflectance_parameter(&Self::kd, "kd", "reflectance of multiple scattering")},
-        .about =
+        .description =
             "Subsurface scattering in layered materials such as skin and leaves: a rough dielectric surface "
             "over a scattering layer. albedo is the single-scattering albedo, g the mean cosine of the phase "
             "function (above 0 is forward), depth the optical thickness, and kd the colour of multiple "
@@ -80,18 +80,20 @@ B: the facets of `kajiya`, of roughness rough)",
 
   // Scattering is sampled by its phase function if that or a layer of index 1 shapes the lobe. Else it is
   // nearly Lambertian outside, and most directions inside would be totally reflected.
-  float matte_albedo(const Vec3f& u) const {
-    return mean(kd) * Formula().transmittance(u.z, nreal) + (1 - phase_share()) * scattering_albedo(u);
+  float diffuse_albedo(const Vec3f& u) const {
+    return mean(kd) * Formula().transmittance(u.z, nreal) + (1 - phase_probability()) * scattering_albedo(u);
   }
-  float lobe_share(const Vec3f& u) const { return surface_albedo(u) + phase_share() * scattering_albedo(u); }
+  float lobe_albedo_estimate(const Vec3f& u) const {
+    return surface_albedo(u) + phase_probability() * scattering_albedo(u);
+  }
 
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
     return xi.choice < surface_probability(u) ? beckmann_direction(u, rough, rough, xi.direction)
                                               : scattered_direction(u, xi.direction);
   }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const {
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const {
     const float surface = surface_probability(u);
-    return surface * beckmann_density(u, v, rough, rough) + (1 - surface) * scattered_density(u, v);
+    return surface * beckmann_pdf(u, v, rough, rough) + (1 - surface) * scattered_pdf(u, v);
   }
 
  private:
@@ -105,7 +107,7 @@ B: the facets of `kajiya`, of roughness rough)",
     const Frame frame(-Formula().refracted(u, nreal));
     return refracted_out(frame.to_world(from_angles(cosine, sine, 2 * Pi * xi.y)), nreal);
   }
-  float scattered_density(const Vec3f& u, const Vec3f& v) const {
+  float scattered_pdf(const Vec3f& u, const Vec3f& v) const {
     const Vec3f inside = Formula().refracted(v, nreal);
     return Formula().henyey_greenstein(Formula().refracted(u, nreal), inside, g) *
            inside_per_outside(v, inside, nreal);
@@ -115,13 +117,13 @@ B: the facets of `kajiya`, of roughness rough)",
   float scattering_albedo(const Vec3f& u) const {
     return mean(albedo) * Formula().transmittance(u.z, nreal) * -std::expm1(-2 * depth) / (3 * nreal * nreal);
   }
-  float phase_share() const {
+  float phase_probability() const {
     const float n2 = nreal * nreal;
     return std::max(g * g, 1 / (n2 * n2 * n2 * n2));
   }
   float surface_probability(const Vec3f& u) const {
     const float surface = surface_albedo(u);
-    const float total = lobe_share(u);
+    const float total = lobe_albedo_estimate(u);
     return total > 0 ? surface / total : 1;
   }
 };

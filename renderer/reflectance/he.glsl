@@ -16,7 +16,7 @@ vec3 he(vec3 u, vec3 v, real sigma, real tau, vec3 lambda, real nreal, real nima
   return kirchhoff(u, v, sigma, effective_roughness(u, v, sigma, tau), tau, lambda, nreal, nimag, ks, kd);
 }
 
-vec3 he_mirror(vec3 u, real sigma, real tau, vec3 lambda, real nreal, real nimag, vec3 ks) {
+vec3 he_specular(vec3 u, real sigma, real tau, vec3 lambda, real nreal, real nimag, vec3 ks) {
   if (below_horizon(u, u)) return vec3(0);
-  return kirchhoff_mirror(u, sigma, effective_roughness(u, u, sigma, tau), tau, lambda, nreal, nimag, ks);
+  return kirchhoff_specular(u, sigma, effective_roughness(u, u, sigma, tau), tau, lambda, nreal, nimag, ks);
 }

@@ -36,14 +36,14 @@ struct He : KirchhoffLobe<He> {
         .not_continuous =
             "in float the series underflows at 1e-38: values below 1e-15, of surfaces smooth to 1e-5 of a "
             "wavelength, lose digits",
-        .about =
+        .description =
             "Metals, glass and plastics by wave optics, the most complete of the models here: ideal "
             "specular, directional-diffuse (diffraction) and Lambertian parts, whose weights follow from the "
             "rms height (sigma) and correlation length (tau) of the surface and from the wavelength. If the "
             "roughness is small against the wavelength it is a mirror, if large Beckmann microfacets of "
             "slope 2 sigma/tau; in between it changes from one to the other with angle and colour.",
         .formula = R"(
-f = ks F(u.h) S(u) S(v)/(cu cv) 4 ((u.h)/cos(delta))^2 D/pi + kd/pi;  mirror(u) = ks F(cu) S(u)^2 exp(-g)
+f = ks F(u.h) S(u) S(v)/(cu cv) 4 ((u.h)/cos(delta))^2 D/pi + kd/pi;  specular_weight(u) = ks F(cu) S(u)^2 exp(-g)
 D = (pi tau/(2 lambda))^2 sum over m >= 1 of g^m e^-g/(m! m) exp(-b/m)
 g = (2 pi s/lambda (cu + cv))^2;  b = (pi tau/lambda)^2 ((ux+vx)^2 + (uy+vy)^2)
 s = sigma/sqrt(1 + W(2 ln K)), K = sum over u and v of tan(theta) erfc(tau/(2 sigma) cot(theta))/(2 sqrt(2 pi))
@@ -63,8 +63,8 @@ W(x) + ln W(x) = x;  S: shadowing by the surface itself)",
     return u.z * glsl::HeFormula<float>().kirchhoff_shadowing_over_cosine(u, sigma, tau);
   }
 
-  Rgb mirror(const Vec3f& u) const {
-    return glsl::HeFormula<float>().he_mirror(u, sigma, tau, lambda, nreal, nimag, ks);
+  Rgb specular_weight(const Vec3f& u) const {
+    return glsl::HeFormula<float>().he_specular(u, sigma, tau, lambda, nreal, nimag, ks);
   }
 };
 

@@ -51,7 +51,7 @@ struct Kajiya : DiffuseAndLobe<Kajiya> {
                        reflectance_parameter(&Kajiya::ks, "ks", "weight of the lobe"),
                        reflectance_parameter(&Kajiya::kd, "kd", "albedo of the diffuse part")},
         .not_isotropic = "isotropic if taux = tauy",
-        .about =
+        .description =
             "Brushed and rolled metal by wave theory, for roughness large against the wavelength: "
             "microfacets of an anisotropic Gaussian surface. sigma/taux and sigma/tauy are the roughness "
             "along x and y: the highlight is long in the rougher direction. The index of refraction is as "
@@ -75,14 +75,16 @@ ax = max(1e-4, 2 sigma/taux);  ay the same of tauy;  S: Smith's shadowing of suc
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
     return beckmann_direction(u, ax(), ay(), xi);
   }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const { return beckmann_density(u, v, ax(), ay()); }
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const { return beckmann_pdf(u, v, ax(), ay()); }
   float lobe_ratio(const Vec3f& u, const Vec3f& v) const {
     glsl::KajiyaFormula<float> formula;
     const float c = cosine_of_half(u, v);
     return formula.fresnel_at_half(u, v, nreal, nimag) * formula.smith_over_cosine(u, ax(), ay()) *
            formula.smith_over_cosine(v, ax(), ay()) * v.z * (2 * c * c / (u.z + v.z));
   }
-  float lobe_share(const Vec3f& u) const { return glsl::KajiyaFormula<float>().fresnel(u.z, nreal, nimag); }
+  float lobe_albedo_estimate(const Vec3f& u) const {
+    return glsl::KajiyaFormula<float>().fresnel(u.z, nreal, nimag);
+  }
 
  private:
   float ax() const { return std::max(1e-4F, 2 * sigma / taux); }

@@ -123,7 +123,7 @@ vec3 kirchhoff(vec3 u, vec3 v, real sigma, real effective_sigma, real tau, vec3 
 }
 
 // Returns the weight of the delta part.
-vec3 kirchhoff_mirror(vec3 u, real sigma, real effective_sigma, real tau, vec3 lambda, real nreal, real nimag,
+vec3 kirchhoff_specular(vec3 u, real sigma, real effective_sigma, real tau, vec3 lambda, real nreal, real nimag,
                       vec3 ks) {
   if (below_horizon(u, u)) return vec3(0);
   real shadowing = u.z * kirchhoff_shadowing_over_cosine(u, sigma, tau);

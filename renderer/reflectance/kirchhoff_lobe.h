@@ -42,11 +42,11 @@ struct KirchhoffLobe : CosineAndLobe<Model> {
 
   bool has_glossy_part() const { return !is_black(ks) && sigma > 0; }
 
-  float matte_albedo(const Vec3f& u) const { return mean(kd) + wide_share() * directional_albedo(u); }
-  float lobe_share(const Vec3f& u) const { return (1 - wide_share()) * directional_albedo(u); }
+  float diffuse_albedo(const Vec3f& u) const { return mean(kd) + wide_fraction() * directional_albedo(u); }
+  float lobe_albedo_estimate(const Vec3f& u) const { return (1 - wide_fraction()) * directional_albedo(u); }
 
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
-    const float smooth = smooth_share(u);
+    const float smooth = smooth_fraction(u);
     if (xi.choice >= smooth) return beckmann_direction(u, slope(), slope(), xi.direction);
     const float width = xi.choice < smooth / 2 ? diffraction() : wider(u);
     const float radius = width * std::sqrt(-std::log1p(-xi.direction.x));
@@ -54,10 +54,10 @@ struct KirchhoffLobe : CosineAndLobe<Model> {
     const Vec2f place(radius * std::cos(phi) - u.x, radius * std::sin(phi) - u.y);
     return {place.x, place.y, std::sqrt(std::max(0.0F, 1 - place.dot(place)))};
   }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const {
-    const float smooth = smooth_share(u);
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const {
+    const float smooth = smooth_fraction(u);
     const float disc = (gaussian(u, v, diffraction()) + gaussian(u, v, wider(u))) / 2;
-    return smooth * disc * v.z + (1 - smooth) * beckmann_density(u, v, slope(), slope());
+    return smooth * disc * v.z + (1 - smooth) * beckmann_pdf(u, v, slope(), slope());
   }
 
  private:
@@ -81,10 +81,10 @@ struct KirchhoffLobe : CosineAndLobe<Model> {
     const float height = 2000 * Pi * sigma / mean(lambda) * (u.z + v);
     return height * height;
   }
-  float smooth_share(const Vec3f& u) const { return 4 / (4 + typical_roughness(u)); }
+  float smooth_fraction(const Vec3f& u) const { return 4 / (4 + typical_roughness(u)); }
 
   /// The fraction of the lobe that misses the disc, or is in its tails.
-  float wide_share() const {
+  float wide_fraction() const {
     const float width2 = diffraction() * diffraction();
     return std::max(0.1F, width2 / (1 + width2));
   }

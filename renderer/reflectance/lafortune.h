@@ -49,7 +49,7 @@ struct Lafortune : CosineAndLobe<Lafortune> {
         .not_continuous =
             "at the lobe's boundary, for n = 0 it has a step and for n < 1 a steep slope: float, double and "
             "GLSL differ within 1e-6 of it",
-        .about =
+        .description =
             "A cosine lobe about any axis, over a diffuse part. (Cx, Cy, Cz) = (-1, -1, 1) is Phong's lobe, "
             "(1, 1, 1) is retro-reflective, |Cz| < |Cx| moves the peak towards the horizon (off-specular), "
             "and Cx != Cy makes it anisotropic. The C's also scale the lobe. Fits to measurements have "
@@ -60,7 +60,7 @@ struct Lafortune : CosineAndLobe<Lafortune> {
   }
 
   /// Returns an error unless the lobe's peak is at most 1e30.
-  std::string wrong_together() const {
+  std::string validate() const {
     const float largest = formula().lafortune_largest(cx, cy, cz);
     return largest > 0 && n * std::log(largest) > 69
                ? "n log(max(|Cx|, |Cy|, |Cz|)) must be at most 69: the lobe's peak exceeds 1e30"
@@ -78,16 +78,16 @@ struct Lafortune : CosineAndLobe<Lafortune> {
   bool is_anisotropic() const { return cx != cy; }
   LobeExponents lobe_exponents() const { return LobeExponents::about_mirror(n); }
 
-  Rgb matte_weight(const Vec3f&, const Vec3f&) const { return kp; }
-  float matte_albedo(const Vec3f&) const { return mean(kp); }
+  Rgb diffuse_weight(const Vec3f&, const Vec3f&) const { return kp; }
+  float diffuse_albedo(const Vec3f&) const { return mean(kp); }
 
   // A lobe whose axis is not above the horizon is cosine-weighted.
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
     if (!(cz > 0)) return cosine_direction(xi);
     return Frame(Vec3f(cx * u.x, cy * u.y, cz * u.z).normalized()).to_world(power_direction(n, xi));
   }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const {
-    if (!(cz > 0)) return cosine_density(v);
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const {
+    if (!(cz > 0)) return cosine_pdf(v);
     const float log_cosine = formula().lafortune_log_cosine(u, v, cx, cy, cz);
     if (log_cosine < -1e29F) return 0;
     return (n + 1) / (2 * Pi) * std::exp(n * std::min(0.0F, log_cosine - log_length(u)));
@@ -96,7 +96,7 @@ struct Lafortune : CosineAndLobe<Lafortune> {
     if (!(cz > 0)) return Rgb(formula().lafortune_lobe(u, v, n, cx, cy, cz) * Pi);
     return Rgb(2 * Pi / (n + 1) * strength(u) * v.z);
   }
-  float lobe_share(const Vec3f& u) const { return 2 * Pi / (n + 2) * strength(u); }
+  float lobe_albedo_estimate(const Vec3f& u) const { return 2 * Pi / (n + 2) * strength(u); }
 
  private:
   static glsl::LafortuneFormula<float> formula() { return {}; }

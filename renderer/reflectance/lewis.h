@@ -38,7 +38,7 @@ struct Lewis : DiffuseAndLobe<Lewis> {
         .not_continuous =
             "at the lobe's boundary, for n = 0 it has a step and for n < 1 a steep slope: float, double and "
             "GLSL differ within 1e-6 of it",
-        .about =
+        .description =
             "Phong's lobe, normalised: ks is the lobe's albedo at normal incidence for every n, so a larger "
             "n makes the highlight both narrower and brighter. The albedo never exceeds kd + ks. For a "
             "narrow lobe it falls as the cosine of the view, so that objects darken towards their "
@@ -56,7 +56,7 @@ struct Lewis : DiffuseAndLobe<Lewis> {
   LobeExponents lobe_exponents() const { return LobeExponents::about_mirror(n); }
 
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const { return cosine_lobe_direction(u, n, xi); }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const { return cosine_lobe_density(u, v, n); }
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const { return cosine_lobe_pdf(u, v, n); }
   float lobe_ratio(const Vec3f&, const Vec3f& v) const { return (n + 2) / (n + 1) * v.z; }
   float lobe_albedo(const Vec3f&) const { return 1; }
 };

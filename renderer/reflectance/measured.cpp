@@ -9,11 +9,11 @@ namespace {
 
 constexpr double RightAngle = Pi / 2;
 /// Rings beyond this angle of h occur only at grazing angles, where measurements are worst.
-constexpr std::size_t RingsOfTheMatte = 73;  // 60 degrees
+constexpr std::size_t DiffuseRings = 73;  // 60 degrees
 
 double edge(std::size_t ring) {
-  const double share = static_cast<double>(ring) / MerlTable::HalfCount;
-  return RightAngle * share * share;
+  const double fraction = static_cast<double>(ring) / MerlTable::HalfCount;
+  return RightAngle * fraction * fraction;
 }
 
 /// Returns the mean of the table at an angle of h, over directions not too far from it.
@@ -35,8 +35,8 @@ float mean_of_ring(const MerlTable& table, std::size_t ring) {
 MeasuredData::MeasuredData(std::shared_ptr<const MerlTable> table) : table_(std::move(table)) {
   std::array<float, MerlTable::HalfCount> values = {};
   for (std::size_t ring = 0; ring < values.size(); ++ring) values[ring] = mean_of_ring(*table_, ring);
-  const float matte = *std::min_element(values.begin(), values.begin() + RingsOfTheMatte);
-  matte_albedo_ = std::min(1.0F, matte * Pi);
+  const float diffuse = *std::min_element(values.begin(), values.begin() + DiffuseRings);
+  diffuse_albedo_ = std::min(1.0F, diffuse * Pi);
   double sum = 0;
   double albedo = 0;
   for (std::size_t ring = 0; ring < values.size(); ++ring) {
@@ -44,15 +44,15 @@ MeasuredData::MeasuredData(std::shared_ptr<const MerlTable> table) : table_(std:
     const double outer = std::sin(edge(ring + 1));
     // The integral of (value - matte) cos(theta_h) over the ring; seen from the normal, the light's angle is
     // twice that of h.
-    const double share = std::max(0.0F, values[ring] - matte) * Pi * (outer * outer - inner * inner);
-    sum += share;
-    albedo += 4 * share * std::max(0.05, 1 - 2 * outer * outer);
+    const double fraction = std::max(0.0F, values[ring] - diffuse) * Pi * (outer * outer - inner * inner);
+    sum += fraction;
+    albedo += 4 * fraction * std::max(0.05, 1 - 2 * outer * outer);
     versines_[ring + 1] = static_cast<float>(2 * std::pow(std::sin(edge(ring + 1) / 2), 2));
     cumulative_[ring + 1] = static_cast<float>(sum);
   }
   lobe_albedo_ = static_cast<float>(std::min(1.0, albedo));
   if (sum > 0) {
-    for (float& share : cumulative_) share /= static_cast<float>(sum);
+    for (float& fraction : cumulative_) fraction /= static_cast<float>(sum);
   }
   cumulative_.back() = 1;
 }
@@ -60,12 +60,12 @@ MeasuredData::MeasuredData(std::shared_ptr<const MerlTable> table) : table_(std:
 Vec3f MeasuredData::lobe_direction(const Vec3f& u, const Vec2f& xi) const {
   const auto above = std::upper_bound(cumulative_.begin(), cumulative_.end() - 1, xi.x);
   const auto ring = static_cast<std::size_t>(above - cumulative_.begin()) - 1;
-  const float share = (xi.x - cumulative_[ring]) / (cumulative_[ring + 1] - cumulative_[ring]);
-  const float versine = versines_[ring] + share * (versines_[ring + 1] - versines_[ring]);
+  const float fraction = (xi.x - cumulative_[ring]) / (cumulative_[ring + 1] - cumulative_[ring]);
+  const float versine = versines_[ring] + fraction * (versines_[ring + 1] - versines_[ring]);
   return reflected(u, from_angles(1 - versine, std::sqrt(versine * (2 - versine)), 2 * Pi * xi.y));
 }
 
-float MeasuredData::lobe_density(const Vec3f& u, const Vec3f& v) const {
+float MeasuredData::lobe_pdf(const Vec3f& u, const Vec3f& v) const {
   const Vec3f h = u + v;
   const float length = h.length();
   const float versine = (h.x * h.x + h.y * h.y) / (length * (length + h.z));
@@ -77,15 +77,15 @@ float MeasuredData::lobe_density(const Vec3f& u, const Vec3f& v) const {
 
 // The probability has a minimum, so that light outside the lobe's rings never has large weights.
 float Measured::cosine_probability() const {
-  const float total = data->matte_albedo() + data->lobe_albedo();
-  return total > 0 ? std::max(0.1F, data->matte_albedo() / total) : 1;
+  const float total = data->diffuse_albedo() + data->lobe_albedo();
+  return total > 0 ? std::max(0.1F, data->diffuse_albedo() / total) : 1;
 }
 
-float Measured::density(const Vec3f& u, const Vec3f& v) const {
+float Measured::pdf(const Vec3f& u, const Vec3f& v) const {
   if (!data || u.z <= 0 || v.z <= 0) return 0;
   const float cosine_part = cosine_probability();
-  const float lobe = cosine_part < 1 ? data->lobe_density(u, v) : 0;
-  return cosine_part * cosine_density(v) + (1 - cosine_part) * lobe;
+  const float lobe = cosine_part < 1 ? data->lobe_pdf(u, v) : 0;
+  return cosine_part * cosine_pdf(v) + (1 - cosine_part) * lobe;
 }
 
 std::optional<DirectionSample> Measured::sample(const Vec3f& u, const Uniforms& xi) const {
@@ -93,7 +93,7 @@ std::optional<DirectionSample> Measured::sample(const Vec3f& u, const Uniforms& 
   const Vec3f v = xi.choice < cosine_probability() ? cosine_direction(xi.direction)
                                                    : data->lobe_direction(u, xi.direction);
   if (!(v.z > 0)) return std::nullopt;
-  const float p = density(u, v);
+  const float p = pdf(u, v);
   if (!(p > 0) || !std::isfinite(p)) return std::nullopt;
   return DirectionSample{v, evaluate(u, v) * (v.z / p), p};
 }

@@ -16,12 +16,12 @@ class MeasuredData {
   explicit MeasuredData(std::shared_ptr<const MerlTable> table);
 
   const MerlTable& table() const { return *table_; }
-  float matte_albedo() const { return matte_albedo_; }  ///< estimated albedo of the diffuse floor
-  float lobe_albedo() const { return lobe_albedo_; }    ///< estimated albedo of the lobe above it
+  float diffuse_albedo() const { return diffuse_albedo_; }  ///< estimated albedo of the diffuse floor
+  float lobe_albedo() const { return lobe_albedo_; }        ///< estimated albedo of the lobe above it
 
   /// Samples a direction by reflecting u at a sampled h; it can be below the horizon.
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const;
-  float lobe_density(const Vec3f& u, const Vec3f& v) const;
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const;
 
  private:
   static constexpr std::size_t Edges = MerlTable::HalfCount + 1;
@@ -30,7 +30,7 @@ class MeasuredData {
   // 1 - cos of the rings' edges about the normal, from 0 to 1: near the normal a cosine lacks the digits.
   std::array<float, Edges> versines_ = {};
   std::array<float, Edges> cumulative_ = {};  // cdf at the rings' edges, from 0 to 1
-  float matte_albedo_ = 0;
+  float diffuse_albedo_ = 0;
   float lobe_albedo_ = 0;
 };
 
@@ -47,8 +47,8 @@ struct Measured {
         .parameters = {boolean_parameter(&Measured::linear, "linear",
                                          "interpolate between cells instead of taking the nearest")},
         .not_conserving = "as measured: cells at grazing angles were extrapolated",
-        .takes = grf::ModelInfo::Takes::DataFile,
-        .about =
+        .argument_kind = grf::ModelInfo::ArgumentKind::DataFile,
+        .description =
             "A measured material in the format of the MERL data base: the keyword is followed by the name of "
             "a file, `measured \"gold-paint.binary\"`. Interpolation skips cells without a measurement. `bpt "
             "brdf export` writes such files for any isotropic model without a delta part. Its half vectors "
@@ -67,9 +67,11 @@ struct Measured {
   bool has_diffuse_part() const { return data != nullptr; }
   bool has_glossy_part() const { return data != nullptr; }
 
-  float albedo_estimate(const Vec3f&) const { return data ? data->matte_albedo() + data->lobe_albedo() : 0; }
+  float albedo_estimate(const Vec3f&) const {
+    return data ? data->diffuse_albedo() + data->lobe_albedo() : 0;
+  }
   std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const;
-  float density(const Vec3f& u, const Vec3f& v) const;
+  float pdf(const Vec3f& u, const Vec3f& v) const;
 
  private:
   float cosine_probability() const;

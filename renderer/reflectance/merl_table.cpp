@@ -28,7 +28,7 @@ constexpr float Invalid = -1;
 /// An interpolation position: the lower cell's index and the fraction of the way to the next.
 struct Position {
   std::ptrdiff_t lower = 0;
-  float share = 0;
+  float fraction = 0;
 };
 Position position_of(float coordinate) {
   const float lower = std::floor(coordinate - 0.5F);
@@ -71,8 +71,8 @@ DirectionPair directions_of(const HalfAngles& angles) {
 }
 
 HalfAngles MerlTable::angles_of(std::size_t half, std::size_t difference, std::size_t azimuth) {
-  const double share = (static_cast<double>(half) + 0.5) / 90;
-  return {HalfPi * share * share, HalfPi * (static_cast<double>(difference) + 0.5) / 90,
+  const double fraction = (static_cast<double>(half) + 0.5) / 90;
+  return {HalfPi * fraction * fraction, HalfPi * (static_cast<double>(difference) + 0.5) / 90,
           std::numbers::pi * (static_cast<double>(azimuth) + 0.5) / 180};
 }
 
@@ -157,12 +157,12 @@ Rgb MerlTable::linear(const HalfAngles& angles) const {
   for (int corner = 0; corner < 4; ++corner) {
     const int h = corner & 1;
     const int d = corner >> 1;
-    const float weight =
-        (h == 1 ? half.share : 1 - half.share) * (d == 1 ? difference.share : 1 - difference.share);
+    const float weight = (h == 1 ? half.fraction : 1 - half.fraction) *
+                         (d == 1 ? difference.fraction : 1 - difference.fraction);
     const Rgb* row =
         &cell(clamped(half.lower + h, HalfCount), clamped(difference.lower + d, DifferenceCount), 0);
-    add(row[azimuths[0]], weight * (1 - azimuth.share), sum, weights);
-    add(row[azimuths[1]], weight * azimuth.share, sum, weights);
+    add(row[azimuths[0]], weight * (1 - azimuth.fraction), sum, weights);
+    add(row[azimuths[1]], weight * azimuth.fraction, sum, weights);
   }
   const auto mean = [](float total, float weight) { return weight > 0 ? total / weight : 0.0F; };
   return {mean(sum.x, weights.x), mean(sum.y, weights.y), mean(sum.z, weights.z)};

@@ -35,7 +35,7 @@ struct Minnaert {
                        reflectance_parameter(&Minnaert::kd, "kd", "albedo for k = 1")},
         .not_conserving =
             "for k < 1 the albedo 2 kd/(k+1) cos(theta)^(k-1) exceeds 1, and is unbounded towards grazing",
-        .about =
+        .description =
             "Minnaert's law of the Moon's surface, whose full disc is as bright at its limb as in the "
             "middle. k = 1 is Lambert, k = 0.5 a disc of uniform brightness, and above 1 the limb darkens. "
             "As published it is not normalised: for k < 1 it reflects more than kd at every angle, without "
@@ -57,9 +57,9 @@ struct Minnaert {
   std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
     const Vec3f v = power_direction(k, xi.direction);
     if (!(u.z > 1e-12F && v.z > 1e-12F)) return std::nullopt;
-    return DirectionSample{v, kd * relative_albedo(u), density(u, v)};
+    return DirectionSample{v, kd * relative_albedo(u), pdf(u, v)};
   }
-  float density(const Vec3f& u, const Vec3f& v) const {
+  float pdf(const Vec3f& u, const Vec3f& v) const {
     if (!(u.z > 1e-12F && v.z > 1e-12F)) return 0;
     return (k + 1) / (2 * Pi) * std::exp(k * glsl::log(v.z));
   }

@@ -2,22 +2,23 @@
 // written once for GLSL and C++, and `ward.h` a struct like this:
 //
 //   struct Ward {
-//     float sx = 0.2F;                        // parameters with their defaults
-//     static ModelTable<Ward> table();        // parameter names and ranges, and the model's description
+//     float sx = 0.2F;                      // parameters with their defaults
+//     static ModelTable<Ward> table();      // parameter names and ranges, and the model's description
 //     template <class Real> Vec3<Real> evaluate(u, v) const;
-//     Rgb mirror(u) const;                    // only if there is a delta (ideal specular) part
-//     std::string wrong_together() const;     // only if the ranges do not suffice to validate the values
-//     float albedo_estimate(u) const;         // mean albedo without the delta part, for choosing lobes
+//     Rgb specular_weight(u) const;         // only if there is a delta (ideal specular) part
+//     std::string validate() const;         // only if the ranges do not suffice to validate the values
+//     float albedo_estimate(u) const;       // mean albedo without the delta part, for choosing lobes
 //     std::optional<DirectionSample> sample(u, xi) const;   // importance sampling in closed form
-//     float density(u, v) const;
-//     bool is_anisotropic() const;            // and the other queries of brdf.h whose default is wrong
+//     float pdf(u, v) const;
+//     bool is_anisotropic() const;          // and the other queries of brdf.h whose default is wrong
 //   };
 //
 // All models and sampling schemes keep this contract. Directions are in the local frame, z = normal; u points
 // towards the eye, v towards the light, both unit vectors that point away from the surface. `evaluate`
 // returns f in 1/sr, RGB, finite and >= 0, without the cosine and the delta part; 0 if a direction is at or
-// below the horizon. `mirror(u)` returns the weight w of the delta part w delta(v - r_u)/cos(theta_v).
-// `density` is the solid-angle pdf of exactly what `sample` draws. An empty sample contributes nothing.
+// below the horizon. `specular_weight(u)` returns the weight w of the delta part w delta(v -
+// r_u)/cos(theta_v). `pdf` is the solid-angle pdf of exactly what `sample` draws. An empty sample contributes
+// nothing.
 #pragma once
 
 #include <optional>
@@ -44,7 +45,7 @@ struct Uniforms {
 };
 
 /// Rescales the choice to [0,1) once it fell above `taken`, so that it can be used again.
-inline Uniforms rest_of(Uniforms xi, float taken) {
+inline Uniforms rescale(Uniforms xi, float taken) {
   xi.choice = (xi.choice - taken) / (1 - taken);
   return xi;
 }
@@ -52,13 +53,13 @@ inline Uniforms rest_of(Uniforms xi, float taken) {
 struct DirectionSample {
   Vec3f direction;
   Rgb weight;  ///< f cos(theta_v) / pdf
-  float density = 0;
+  float pdf = 0;
 };
 
 /// A BRDF value f in 1/sr, without the delta part, and the pdf with which a sampler draws that direction.
 struct Reflection {
   Rgb value;
-  float density = 0;
+  float pdf = 0;
 };
 
 /// The exponents of a lobe (n.h)^e about the half vector h, along the tangent and across it.
@@ -91,8 +92,8 @@ struct ModelTable {
   std::string_view not_reciprocal = {};
   std::string_view not_conserving = {};
   std::string_view not_continuous = {};
-  grf::ModelInfo::Takes takes = grf::ModelInfo::Takes::Parameters;
-  std::string_view about = {};
+  grf::ModelInfo::ArgumentKind argument_kind = grf::ModelInfo::ArgumentKind::Parameters;
+  std::string_view description = {};
   std::string_view formula = {};  ///< an empty first line is skipped
   std::string_view example = {};
 };
@@ -177,22 +178,22 @@ grf::ModelInfo info_of() {
   info.keyword = table.keyword;
   info.title = table.title;
   info.paper = table.paper;
-  info.about = table.about;
+  info.description = table.description;
   info.formula = table.formula.substr(table.formula.starts_with('\n') ? 1 : 0);
   info.example = table.example;
   info.not_isotropic = table.not_isotropic;
   info.not_reciprocal = table.not_reciprocal;
   info.not_conserving = table.not_conserving;
   info.not_continuous = table.not_continuous;
-  info.takes = table.takes;
+  info.argument_kind = table.argument_kind;
   static const Model defaults;
   for (const Parameter<Model>& parameter : table.parameters) {
     info.parameters.push_back(parameter.info);
     grf::ParameterInfo& entry = info.parameters.back();
     visit_field(parameter, [&](auto field) { describe(entry, defaults.*field); });
   }
-  if constexpr (requires { defaults.wrong_together(); }) {
-    info.wrong_together = [](const grf::Model& data) { return make<Model>(data).wrong_together(); };
+  if constexpr (requires { defaults.validate(); }) {
+    info.validate = [](const grf::Model& data) { return make<Model>(data).validate(); };
   }
   return info;
 }

@@ -49,7 +49,7 @@ struct Neumann : DiffuseAndLobe<Neumann> {
         .not_isotropic = "isotropic if r = ry",
         .not_continuous =
             "it has a step at the edge of the ellipse, where float, double and GLSL may take different sides",
-        .about =
+        .description =
             "The simplest reciprocal and energy-conserving lobe: constant inside a disc about the mirror "
             "direction, projected to the unit disc, and 0 outside. r goes from a mirror (towards 0) over a "
             "highlight with a sharp rim to Lambert (2); ry, if it differs, makes it anisotropic, and retro "
@@ -78,8 +78,8 @@ A: the area of the ellipse with half axes r and ry that lies in the unit disc)",
     const float y = (retro ? u.y : -u.y) + ry * point.y;
     return {x, y, std::sqrt(std::max(0.0F, 1 - x * x - y * y))};
   }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const {
-    if (is_wide()) return cosine_density(v);
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const {
+    if (is_wide()) return cosine_pdf(v);
     return is_inside(u, v) ? v.z / (Pi * r * ry) : 0;
   }
   float lobe_ratio(const Vec3f& u, const Vec3f& v) const {

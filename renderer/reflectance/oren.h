@@ -39,7 +39,7 @@ struct Oren {
         .not_continuous =
             "for light that grazes from the far side the fit falls below 0 and is clamped; near that its "
             "terms cancel, and differ by 1e-7 of the peak",
-        .about =
+        .description =
             "Rough diffuse surfaces such as plaster, clay and sand: Lambertian facets with shadowing, "
             "masking and interreflection. s is the roughness, from Lambert (0) to very rough (0.5 and more), "
             "and r the albedo of the facets. The rougher it is, the flatter an object looks and the brighter "
@@ -66,9 +66,9 @@ C2 = 0.45 q (sin(alpha) - (c < 0 ? (2 beta/pi)^3 : 0));  C3 = 0.125 q (4 alpha b
   std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
     const Vec3f v = cosine_direction(xi.direction);
     if (u.z <= 0 || v.z <= 0) return std::nullopt;
-    return DirectionSample{v, evaluate(u, v) * Pi, cosine_density(v)};
+    return DirectionSample{v, evaluate(u, v) * Pi, cosine_pdf(v)};
   }
-  float density(const Vec3f& u, const Vec3f& v) const { return u.z > 0 ? cosine_density(v) : 0; }
+  float pdf(const Vec3f& u, const Vec3f& v) const { return u.z > 0 ? cosine_pdf(v) : 0; }
 };
 
 }  // namespace reflectance

@@ -39,7 +39,7 @@ struct Phong : DiffuseAndLobe<Phong> {
         .not_continuous =
             "at the lobe's boundary, for n = 0 it has a step and for n < 1 a steep slope: float, double and "
             "GLSL differ within 1e-6 of it",
-        .about =
+        .description =
             "The first highlight of computer graphics, a lobe about the mirror direction, over a diffuse "
             "part. A larger n makes it smaller and sharper. ks is the lobe's peak and not its albedo: that "
             "is 2 pi ks/(n+2) at normal incidence and less elsewhere, so sharp highlights reflect next to "
@@ -57,7 +57,7 @@ struct Phong : DiffuseAndLobe<Phong> {
   LobeExponents lobe_exponents() const { return LobeExponents::about_mirror(n); }
 
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const { return cosine_lobe_direction(u, n, xi); }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const { return cosine_lobe_density(u, v, n); }
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const { return cosine_lobe_pdf(u, v, n); }
   float lobe_ratio(const Vec3f&, const Vec3f& v) const { return 2 * Pi / (n + 1) * v.z; }
   float lobe_albedo(const Vec3f&) const { return 2 * Pi / (n + 2); }
 };

@@ -93,11 +93,11 @@ real arc_lobe_at(ArcLobe arc, real t) {
   real c = 1 - 2 * t * t * q;
   real s = 2 * t * q;
   real from_half = t + arc.offset;
-  real below_one = 2 * from_half * from_half * q / (1 + arc.offset * arc.offset);
+  real one_minus_cos = 2 * from_half * from_half * q / (1 + arc.offset * arc.offset);
   real projected =
       max(real(0), arc.u.x * c + arc.u.y * s) * max(real(0), arc.v.x * c + arc.v.y * s + arc.v.z);
   real log_lobe =
-      below_one < real(0.5) ? log1p(-below_one) : log(max(real(1e-30f), arc.h.x * c + arc.h.y * s));
+      one_minus_cos < real(0.5) ? log1p(-one_minus_cos) : log(max(real(1e-30f), arc.h.x * c + arc.h.y * s));
   return projected * exp(arc.n * log_lobe) * 2 * q;
 }
 real arc_lobe_pair(ArcLobe arc, real place, real weight) {

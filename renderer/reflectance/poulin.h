@@ -54,7 +54,7 @@ struct Poulin : CosineAndLobe<Poulin> {
         .not_continuous =
             "where the shadows of two cylinders just meet, the visible floor between them is a small "
             "difference, and vanishes",
-        .about =
+        .description =
             "Brushed metal, satin and hair: parallel cylinders along x over a floor, with masking and "
             "shadowing. d is the distance of the cylinders (2 is side by side, more shows the floor, less "
             "makes them overlap) and h the height of the floor, 1 covering them. n, ks and kd are the "
@@ -75,20 +75,20 @@ g(a) = kd/pi + ks C(n) max(0, a.h)^n with the half vector h;  C(n) = (n+2)(n+4)/
 
   bool is_anisotropic() const { return !Formula().is_plane(d, h); }
 
-  float matte_albedo(const Vec3f&) const { return mean(kd); }
-  float lobe_share(const Vec3f&) const { return mean(ks); }
+  float diffuse_albedo(const Vec3f&) const { return mean(kd); }
+  float lobe_albedo_estimate(const Vec3f&) const { return mean(ks); }
 
   // Samples a half vector about the normal of a point visible from u, in proportion to projected area.
   Vec3f lobe_direction(const Vec3f& u, const Uniforms& xi) const {
     const Vec3f half = Frame(seen_normal(u, xi.choice)).to_world(power_direction(n, xi.direction));
     return u.dot(half) > 0 ? reflected(u, half) : Vec3f(0);
   }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const {
-    if (!is_anisotropic()) return half_power_density(u, v, n);
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const {
+    if (!is_anisotropic()) return half_power_pdf(u, v, n);
     const Arc arc = arc_of(u);
     const float lobes = Formula().arc_lobe(u, v, arc.seen.low, arc.seen.high, n, true);
     return (n + 1) / (8 * Pi * cosine_of_half(u, v)) * lobes / arc.total() +
-           arc.plane / arc.total() * half_power_density(u, v, n);
+           arc.plane / arc.total() * half_power_pdf(u, v, n);
   }
 
  private:

@@ -11,9 +11,9 @@ namespace reflectance {
 
 struct ScatterSample {
   Vec3f direction;
-  Rgb weight;         ///< f cos / pdf, or the delta part's weight over its probability
-  float density = 0;  ///< solid-angle pdf; 0 for a delta direction, which no other technique can sample
-  bool is_mirror = false;
+  Rgb weight;     ///< f cos / pdf, or the delta part's weight over its probability
+  float pdf = 0;  ///< solid-angle pdf; 0 for a delta direction, which no other technique can sample
+  bool is_specular = false;
 };
 
 /// How to treat light that a scheme's pdf misses (almost) entirely.
@@ -38,8 +38,8 @@ class Reflector {
   }
 
   /// Returns the pdf of `sample` for a direction that is not the delta part's.
-  float density(const Vec3f& u, const Vec3f& v) const {
-    return (1 - mirror_share(u)) * mixed(v, reflectance::density(scheme_, brdf_, u, v));
+  float pdf(const Vec3f& u, const Vec3f& v) const {
+    return (1 - specular_probability(u)) * mixed(v, reflectance::pdf(scheme_, brdf_, u, v));
   }
 
   /// Evaluates the BRDF and the pdf of `sample` together, which share work if the BRDF's own sampler is used.
@@ -55,40 +55,42 @@ class Reflector {
   const Scheme& scheme() const { return scheme_; }
 
   /// Returns true if directly sampled light can be reflected: the BRDF is not only a delta part.
-  bool has_density() const { return has_density_; }
+  bool has_nonspecular_part() const { return has_nonspecular_part_; }
 
   /// Returns true if it is `diffuse` with cosine sampling, so that a path needs nothing but the BRDF.
-  bool is_matte() const { return samples_own_ && std::holds_alternative<Diffuse>(brdf_); }
+  bool is_diffuse() const { return samples_own_ && std::holds_alternative<Diffuse>(brdf_); }
 
   /// Returns the fraction of samples, without delta ones, that are cosine-weighted since the scheme misses
   /// part of the BRDF.
-  float cosine_share() const { return cosine_share_; }
+  float cosine_fraction() const { return cosine_fraction_; }
 
   /// Returns the fraction of the BRDF's light that the scheme misses, or 0 if it is negligible.
-  float missed_share() const { return missed_share_; }
+  float missed_fraction() const { return missed_fraction_; }
 
   /// Returns the memory of the scheme's tables, in bytes.
   std::size_t bytes() const { return reflectance::bytes(scheme_); }
 
  private:
-  float mirror_share(const Vec3f& u) const { return has_mirror_ ? share_of_mirror(u) : 0; }
-  float share_of_mirror(const Vec3f& u) const;
+  float specular_probability(const Vec3f& u) const {
+    return has_specular_part_ ? compute_specular_probability(u) : 0;
+  }
+  float compute_specular_probability(const Vec3f& u) const;
 
   /// Returns the pdf of the mixture of scheme and cosine sampling.
   float mixed(const Vec3f& v, float of_scheme) const {
-    return cosine_share_ > 0 ? of_scheme + cosine_share_ * (cosine_density(v) - of_scheme) : of_scheme;
+    return cosine_fraction_ > 0 ? of_scheme + cosine_fraction_ * (cosine_pdf(v) - of_scheme) : of_scheme;
   }
 
-  std::optional<DirectionSample> sample_density(const Vec3f& u, const Uniforms& xi) const;
+  std::optional<DirectionSample> sample_nonspecular(const Vec3f& u, const Uniforms& xi) const;
   Rgb evaluate_in_double(const Vec3f& u, const Vec3f& v) const;
 
   Brdf brdf_;
   Scheme scheme_;
-  float cosine_share_ = 0;
-  float missed_share_ = 0;
+  float cosine_fraction_ = 0;
+  float missed_fraction_ = 0;
   // Facts that paths ask at every hit, found once.
-  bool has_mirror_ = false;
-  bool has_density_ = false;
+  bool has_specular_part_ = false;
+  bool has_nonspecular_part_ = false;
   bool samples_own_ = false;  ///< the scheme is the BRDF's own sampler, with nothing mixed in, in float
   Precision precision_ = Precision::Float;
 };

@@ -15,8 +15,8 @@ std::optional<Scheme> make_scheme(const grf::Model& data) { return make_any<Sche
 
 Scheme default_scheme() { return AutoScheme(); }
 
-std::string refusal(const Scheme& scheme, const Brdf& brdf) {
-  return std::visit([&](const auto& chosen) { return chosen.refusal(brdf); }, scheme);
+std::string unsupported_reason(const Scheme& scheme, const Brdf& brdf) {
+  return std::visit([&](const auto& chosen) { return chosen.unsupported_reason(brdf); }, scheme);
 }
 
 void build(Scheme& scheme, const Brdf& brdf) {
@@ -36,10 +36,10 @@ std::size_t bytes(const Scheme& scheme) {
       scheme);
 }
 
-bool may_miss(const Scheme& scheme) {
+bool is_incomplete(const Scheme& scheme) {
   return std::visit(
       [](const auto& chosen) {
-        return requires { chosen.MayMiss; };
+        return requires { chosen.IsIncomplete; };
       },
       scheme);
 }
@@ -49,8 +49,8 @@ std::optional<DirectionSample> sample(const Scheme& scheme, const Brdf& brdf, co
   return std::visit([&](const auto& chosen) { return chosen.sample(brdf, u, xi); }, scheme);
 }
 
-float density(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
-  return std::visit([&](const auto& chosen) { return chosen.density(brdf, u, v); }, scheme);
+float pdf(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
+  return std::visit([&](const auto& chosen) { return chosen.pdf(brdf, u, v); }, scheme);
 }
 
 void sample_many(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi,

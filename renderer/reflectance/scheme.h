@@ -24,14 +24,15 @@ namespace reflectance {
 
 /// All sampling schemes (`pdf` in a scene): the only list that a new scheme is added to. A scheme is a file
 /// of `schemes` with
-///   table()           its keyword and parameters,
-///   refusal(brdf)     why it does not support a BRDF, and what does; empty if it does,
-///   sample(brdf, u, xi), density(brdf, u, v)    for the BRDF without its delta part,
+///   table()                    its keyword and parameters,
+///   unsupported_reason(brdf)   why it does not support a BRDF, and what does; empty if it does,
+///   sample(brdf, u, xi), pdf(brdf, u, v)    for the BRDF without its delta part,
 /// and if it keeps tables, which then serve only that BRDF,
-///   build(brdf)       makes them, on all cores,
-///   bytes()           their memory.
-/// `MayMiss` means that its pdf is 0 or nearly so where some BRDFs reflect light: Reflector then mixes in
-/// cosine sampling. `sample_many` exists where a batch of samples for one view is cheaper than single ones.
+///   build(brdf)                makes them, on all cores,
+///   bytes()                    their memory.
+/// `IsIncomplete` means that its pdf is 0 or nearly so where some BRDFs reflect light: Reflector then mixes
+/// in cosine sampling. `sample_many` exists where a batch of samples for one view is cheaper than single
+/// ones.
 using AnyScheme =
     std::variant<AutoScheme, OwnScheme, DiffuseScheme, SpecularScheme, HemisphereScheme, SphereScheme,
                  AnisotropicScheme, RejectScheme, AdaptiveScheme, FactoredScheme, CascadeScheme>;
@@ -54,7 +55,7 @@ std::optional<Scheme> make_scheme(const grf::Model& data);
 /// Returns the scheme of a face without a `pdf`: `auto`.
 Scheme default_scheme();
 
-std::string refusal(const Scheme& scheme, const Brdf& brdf);
+std::string unsupported_reason(const Scheme& scheme, const Brdf& brdf);
 
 /// Builds the tables of a scheme for a BRDF that it supports.
 void build(Scheme& scheme, const Brdf& brdf);
@@ -63,11 +64,11 @@ void build(Scheme& scheme, const Brdf& brdf);
 std::size_t bytes(const Scheme& scheme);
 
 /// Returns true if the scheme's pdf may be 0 where some BRDFs reflect light.
-bool may_miss(const Scheme& scheme);
+bool is_incomplete(const Scheme& scheme);
 
 std::optional<DirectionSample> sample(const Scheme& scheme, const Brdf& brdf, const Vec3f& u,
                                       const Uniforms& xi);
-float density(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, const Vec3f& v);
+float pdf(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, const Vec3f& v);
 
 /// Appends a sample per xi, without empty ones, all for one view: cheaper or better stratified than single
 /// samples for schemes that have a `sample_many`. Each sample has the scheme's pdf; an estimate is their sum

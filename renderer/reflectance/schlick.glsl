@@ -47,7 +47,7 @@ vec3 schlick(vec3 u, vec3 v, vec3 sc, real sr, real sp, bool ly, vec3 dc, real d
 }
 
 // Returns the weight of the delta part.
-vec3 schlick_mirror(vec3 u, vec3 sc, real sr, bool ly, vec3 dc, real dr) {
+vec3 schlick_specular(vec3 u, vec3 sc, real sr, bool ly, vec3 dc, real dr) {
   vec3 weight = sr > 0 ? vec3(0) : schlick_fresnel(sc, 1 - u.z);
   if (ly && !(dr > 0)) weight += schlick_second(u.z, sc, dc);
   return weight;

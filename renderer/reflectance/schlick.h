@@ -36,7 +36,7 @@ struct SchlickLayer {
     const float scale = slope / std::sqrt(x * x + y * y);
     return reflected(u, Vec3f(scale * x, scale * y, 1).normalized());
   }
-  float facets_density(const Vec3f& u, const Vec3f& v) const {
+  float facets_pdf(const Vec3f& u, const Vec3f& v) const {
     if (!(roughness > 0)) return 0;
     const Vec3f h = u + v;
     const float c = cosine_of_half(u, v);
@@ -97,7 +97,7 @@ struct Schlick {
         .not_conserving =
             "light scattered between facets makes the albedo of a rough layer grow as 1/(2 cos(theta)) "
             "towards grazing, as published",
-        .about =
+        .description =
             "One layer, or a clear one over another, from a mirror (roughness 0) over satin to diffuse (1), "
             "with Fresnel. SC, Sr and Sp are the layer's reflectance at normal incidence, its roughness and "
             "its isotropy; DC, Dr and Dp those of the second layer, which exists if Ly is true and receives "
@@ -109,7 +109,7 @@ S = SC + (1-SC) (1-u.h)^5;  S' the same of DC
 D(r,p) = (G(cu) G(cv) Z A + 1 - G(cu) G(cv))/(4 pi cu cv)
 G(c) = c/(r + (1-r) c);  Z = r/(1 - (1-r) cos(delta)^2)^2
 A = sqrt(p/(p^2 - p^2 w^2 + w^2)), w: the cosine of the azimuth of h
-mirror(u): S or (1-S) S' at u.h = cu, of each layer whose roughness is 0)",
+specular_weight(u): S or (1-S) S' at u.h = cu, of each layer whose roughness is 0)",
         .example = "schlick SC=0.7 Sr=0.31 Sp=1 Ly=false",
     };
   }
@@ -120,55 +120,54 @@ mirror(u): S or (1-S) S' at u.h = cu, of each layer whose roughness is 0)",
                                                 Real(dr), Real(dp));
   }
 
-  Rgb mirror(const Vec3f& u) const {
-    return u.z > 1e-12F ? glsl::SchlickFormula<float>().schlick_mirror(u, sc, sr, ly, dc, dr) : Rgb(0);
+  Rgb specular_weight(const Vec3f& u) const {
+    return u.z > 1e-12F ? glsl::SchlickFormula<float>().schlick_specular(u, sc, sr, ly, dc, dr) : Rgb(0);
   }
 
-  bool has_mirror() const { return !(sr > 0) || (ly && !(dr > 0)); }
+  bool has_specular_part() const { return !(sr > 0) || (ly && !(dr > 0)); }
   bool has_diffuse_part() const { return false; }
   bool has_glossy_part() const { return sr > 0 || (ly && dr > 0); }
   bool is_anisotropic() const { return (sr > 0 && sp != 1) || (ly && dr > 0 && dp != 1); }
 
   float albedo_estimate(const Vec3f& u) const {
-    const Shares shares = shares_of(u);
-    return u.z > 1e-12F ? shares.first + shares.second + shares.between : 0;
+    const LobeAlbedos albedos = albedos_of(u);
+    return u.z > 1e-12F ? albedos.first + albedos.second + albedos.between : 0;
   }
 
-  float density(const Vec3f& u, const Vec3f& v) const {
+  float pdf(const Vec3f& u, const Vec3f& v) const {
     if (!(u.z > 1e-12F && v.z > 1e-12F)) return 0;
-    const Shares p = shares_of(u).probabilities();
-    return p.first * first().facets_density(u, v) + p.second * second().facets_density(u, v) +
-           p.between * UniformDensity;
+    const LobeAlbedos p = albedos_of(u).probabilities();
+    return p.first * first().facets_pdf(u, v) + p.second * second().facets_pdf(u, v) + p.between * UniformPdf;
   }
 
   std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
     if (!(u.z > 1e-12F)) return std::nullopt;
-    const Shares p = shares_of(u).probabilities();
+    const LobeAlbedos p = albedos_of(u).probabilities();
     Vec3f v = uniform_direction(xi.direction);
     if (xi.choice < p.first) {
       v = first().facets_direction(u, xi.direction);
     } else if (xi.choice < p.first + p.second) {
       v = second().facets_direction(u, xi.direction);
     }
-    const float density = this->density(u, v);
-    if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
+    const float pdf = this->pdf(u, v);
+    if (!(pdf > 0) || !std::isfinite(pdf)) return std::nullopt;
     const Reflectances factors = reflectances(std::min(1.0F, cosine_of_half(u, v)));
-    const Rgb weight = factors.first * weight_of(first(), u, v, density) +
-                       factors.second * weight_of(second(), u, v, density);
-    return DirectionSample{v, weight, density};
+    const Rgb weight =
+        factors.first * weight_of(first(), u, v, pdf) + factors.second * weight_of(second(), u, v, pdf);
+    return DirectionSample{v, weight, pdf};
   }
 
  private:
-  static constexpr float UniformDensity = 1 / (2 * Pi);
+  static constexpr float UniformPdf = 1 / (2 * Pi);
 
   /// Estimated albedos or probabilities of the three sampled lobes.
-  struct Shares {
+  struct LobeAlbedos {
     float first = 0;
     float second = 0;
     float between = 0;  ///< of both layers
 
     // The light between facets gets at least 5 %, since far from the lobes there is nothing else.
-    Shares probabilities() const {
+    LobeAlbedos probabilities() const {
       const float facets = first + second;
       if (!(facets > 0)) return {0, 0, between > 0 ? 1.0F : 0.0F};
       const float rest = std::max(0.05F, between / (facets + between));
@@ -186,7 +185,7 @@ mirror(u): S or (1-S) S' at u.h = cu, of each layer whose roughness is 0)",
     glsl::SchlickFormula<float> formula;
     return {formula.schlick_fresnel(sc, 1 - c), ly ? formula.schlick_second(c, sc, dc) : Rgb(0)};
   }
-  Shares shares_of(const Vec3f& u) const {
+  LobeAlbedos albedos_of(const Vec3f& u) const {
     const Reflectances weights = reflectances(u.z);
     const float upper = mean(weights.first);
     const float lower = mean(weights.second);
@@ -194,10 +193,10 @@ mirror(u): S or (1-S) S' at u.h = cu, of each layer whose roughness is 0)",
             upper * first().between_albedo(u) + lower * second().between_albedo(u)};
   }
   /// Returns D cos(theta_v) / pdf.
-  static float weight_of(const SchlickLayer& layer, const Vec3f& u, const Vec3f& v, float density) {
-    const float facets_density = layer.facets_density(u, v);
-    const float facets = facets_density > 0 ? layer.facets_weight(u, v) * (facets_density / density) : 0;
-    return facets + layer.between_weight(u, v) * (UniformDensity / density);
+  static float weight_of(const SchlickLayer& layer, const Vec3f& u, const Vec3f& v, float pdf) {
+    const float facets_pdf = layer.facets_pdf(u, v);
+    const float facets = facets_pdf > 0 ? layer.facets_weight(u, v) * (facets_pdf / pdf) : 0;
+    return facets + layer.between_weight(u, v) * (UniformPdf / pdf);
   }
 };
 

@@ -17,7 +17,8 @@ namespace reflectance {
 /// Shader code in GLSL 3.30 without `#version`, for any stage.
 struct Shader {
   /// Defines `vec3 brdf_value(vec3 u, vec3 v)`: f in 1/sr without the delta part, which depends on one cosine
-  /// and is better passed as a table of `mirror`. The text is the same for all parameters of a model.
+  /// and is better passed as a table of `specular_weight`. The text is the same for all parameters of a
+  /// model.
   std::string text;
   /// Values of the text's `uniform vec3 brdf_parameters[]`.
   std::vector<Rgb> parameters;

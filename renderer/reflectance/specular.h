@@ -29,14 +29,14 @@ struct Specular {
         .keyword = "specular",
         .title = "Ideal mirror",
         .parameters = {reflectance_parameter(&Specular::ks, "ks", "reflectance")},
-        .about =
+        .description =
             "An ideal mirror: a delta distribution in the mirror direction, which sampling picks with its "
             "own probability and which lobe plots do not show. ks is its reflectance at every angle. For a "
             "mirror with Fresnel use `coupled` with Rm = 0, and for one with a highlight of some width "
             "`torrance`.",
         .formula = R"(
 f = 0
-mirror(u) = ks)",
+specular_weight(u) = ks)",
         .example = "specular ks=0.9",
     };
   }
@@ -46,11 +46,11 @@ mirror(u) = ks)",
     return glsl::SpecularFormula<Real>().specular(u, v, Vec3<Real>(ks));
   }
 
-  Rgb mirror(const Vec3f& u) const { return u.z > 1e-12F ? ks : Rgb(0); }
+  Rgb specular_weight(const Vec3f& u) const { return u.z > 1e-12F ? ks : Rgb(0); }
   bool has_glossy_part() const { return false; }
   float albedo_estimate(const Vec3f&) const { return 0; }
   std::optional<DirectionSample> sample(const Vec3f&, const Uniforms&) const { return std::nullopt; }
-  float density(const Vec3f&, const Vec3f&) const { return 0; }
+  float pdf(const Vec3f&, const Vec3f&) const { return 0; }
 };
 
 }  // namespace reflectance

@@ -40,7 +40,7 @@ struct Strauss : CosineAndLobe<Strauss> {
                                              "factor of the diffuse part, and the colour of a metal")},
         .not_reciprocal = "its Fresnel factor depends only on the light's angle, as published",
         .not_conserving = "reflects up to 1.004 for ks = kd = 1 and m = 0",
-        .about =
+        .description =
             "Metals and plastics from two parameters: smoothness s goes from diffuse to mirror, metalness m "
             "from plastic, with a white highlight over a coloured body, to metal, with only a coloured "
             "highlight. kd is the surface's colour, ks the highlight's strength. Fresnel depends only on the "
@@ -60,19 +60,19 @@ G falls from 1 to 0: (1/0.01^2 - 1/(x-1.01)^2)/(1/0.01^2 - 1/1.01^2))",
     return glsl::StraussFormula<Real>().strauss(u, v, Real(s), Real(m), Vec3<Real>(ks), Vec3<Real>(kd));
   }
 
-  bool has_diffuse_part() const { return matte_albedo(Vec3f()) > 0; }
+  bool has_diffuse_part() const { return diffuse_albedo(Vec3f()) > 0; }
 
-  Rgb matte_weight(const Vec3f&, const Vec3f&) const { return kd * formula().strauss_diffuse(s, m); }
-  float matte_albedo(const Vec3f&) const { return mean(kd) * formula().strauss_diffuse(s, m); }
+  Rgb diffuse_weight(const Vec3f&, const Vec3f&) const { return kd * formula().strauss_diffuse(s, m); }
+  float diffuse_albedo(const Vec3f&) const { return mean(kd) * formula().strauss_diffuse(s, m); }
 
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
     return cosine_lobe_direction(u, exponent(), xi);
   }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const { return cosine_lobe_density(u, v, exponent()); }
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const { return cosine_lobe_pdf(u, v, exponent()); }
   Rgb lobe_weight(const Vec3f& u, const Vec3f& v) const {
     return ks * formula().strauss_reflectivity(u, v, s, m, kd) * ((exponent() + 2) / (exponent() + 1) * v.z);
   }
-  float lobe_share(const Vec3f& u) const {
+  float lobe_albedo_estimate(const Vec3f& u) const {
     return mean(ks * formula().strauss_reflectivity(u, mirrored(u), s, m, kd));
   }
 

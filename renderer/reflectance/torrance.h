@@ -45,7 +45,7 @@ struct Torrance : DiffuseAndLobe<Torrance> {
                                         "imaginary part of the index of refraction: 0 is a dielectric"),
                        reflectance_parameter(&Torrance::ks, "ks", "factor of the facets' reflection"),
                        reflectance_parameter(&Torrance::kd, "kd", "albedo of the diffuse part")},
-        .about =
+        .description =
             "Metals, plastics and ceramics as specular microfacets in V-shaped grooves, with Fresnel. rough "
             "is the RMS slope: 0.05 is polished, 0.35 blasted. The index of refraction makes a dielectric "
             "(1.5 is glass and plastic) or a metal (gold 0.37 and 2.82, silver 0.177 and 3.638, copper 0.617 "
@@ -78,7 +78,7 @@ G = min(1, 2 cos(delta) cu/(u.h), 2 cos(delta) cv/(u.h)))",
     const bool takes_one = xi.choice * (facing_one + facing_other) < facing_one;
     return reflected(u, takes_one ? one : other);
   }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const {
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const {
     glsl::TorranceFormula<float> formula;
     const float c = formula.cosine_at_half(u, v);
     return formula.torrance_beckmann(u, v, rough) / (4 * Pi) *

@@ -45,7 +45,7 @@ struct Ward : DiffuseAndLobe<Ward> {
         .not_isotropic = "isotropic if sx = sy",
         .not_conserving =
             "the lobe's albedo grows without bound within about 0.3 degrees of grazing, as published",
-        .about =
+        .description =
             "Paint, plastic, paper and brushed metal by one Gaussian lobe over a diffuse part, fitted to "
             "measurements. sx and sy are the RMS slopes along and across the tangent: 0.05 is polished, 0.2 "
             "satin, 0.5 dull, and if they differ the highlight is long in the rougher direction. There is no "
@@ -67,7 +67,7 @@ phi: the azimuth of h)",
 
   // The print has tan(phi_h) = (sx/sy) tan(psi); the exponent asks for sy/sx.
   Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const { return beckmann_direction(u, sx, sy, xi); }
-  float lobe_density(const Vec3f& u, const Vec3f& v) const { return beckmann_density(u, v, sx, sy); }
+  float lobe_pdf(const Vec3f& u, const Vec3f& v) const { return beckmann_pdf(u, v, sx, sy); }
   float lobe_ratio(const Vec3f& u, const Vec3f& v) const {
     const Vec3f h = u + v;
     const float cosine = h.z / h.length();

@@ -4,6 +4,6 @@ vec3 westin(vec3 u, vec3 v, real sigma, real tau, vec3 lambda, real nreal, real 
   return kirchhoff(u, v, sigma, sigma, tau, lambda, nreal, nimag, ks, kd);
 }
 
-vec3 westin_mirror(vec3 u, real sigma, real tau, vec3 lambda, real nreal, real nimag, vec3 ks) {
-  return kirchhoff_mirror(u, sigma, sigma, tau, lambda, nreal, nimag, ks);
+vec3 westin_specular(vec3 u, real sigma, real tau, vec3 lambda, real nreal, real nimag, vec3 ks) {
+  return kirchhoff_specular(u, sigma, sigma, tau, lambda, nreal, nimag, ks);
 }

@@ -35,7 +35,7 @@ struct Westin : KirchhoffLobe<Westin> {
         .not_continuous =
             "in float the series underflows at 1e-38: values below 1e-15, of surfaces smooth to 1e-5 of a "
             "wavelength, lose digits",
-        .about =
+        .description =
             "`he` without the effective roughness (the roughness of what is neither masked nor shadowed): "
             "cheaper, for surfaces with little self-shadowing, such as varnish, lacquered wood and polished "
             "metal. Parameters and appearance are as there; the two differ only near grazing.",
@@ -55,8 +55,8 @@ struct Westin : KirchhoffLobe<Westin> {
     return u.z * glsl::WestinFormula<float>().kirchhoff_shadowing_over_cosine(u, sigma, tau);
   }
 
-  Rgb mirror(const Vec3f& u) const {
-    return glsl::WestinFormula<float>().westin_mirror(u, sigma, tau, lambda, nreal, nimag, ks);
+  Rgb specular_weight(const Vec3f& u) const {
+    return glsl::WestinFormula<float>().westin_specular(u, sigma, tau, lambda, nreal, nimag, ks);
   }
 };
 

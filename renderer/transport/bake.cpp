@@ -8,7 +8,7 @@
 
 #include "renderer/parallel/loops.h"
 #include "renderer/reflectance/schemes/own_scheme.h"
-#include "renderer/transport/integrators/scattering.h"
+#include "renderer/transport/integrators/shading_point.h"
 
 namespace transport {
 namespace {
@@ -42,23 +42,24 @@ class Bake::Vertex {
 
   void stand_at(std::size_t index, const BakePoints& points, const reflectance::Reflector& reflector) {
     points.points_at(index, points_);
-    scatterings_.clear();
+    shading_points_.clear();
     for (const BakePoints::Point& at : points_) {
-      scatterings_.emplace_back(at.point, reflector, at.point.geometric_normal);
+      shading_points_.emplace_back(at.point, reflector, at.point.geometric_normal);
     }
     frame = reflectance::Frame(BakePoints::normal_of(points_));
   }
 
   /// Selects one of the points with a probability equal to its fraction of the angles.
-  const Scattering& scattering(float xi) const {
-    const auto chosen = std::find_if(points_.begin(), points_.end() - 1,
-                                     [&](const BakePoints::Point& at) { return xi < at.share_end; });
-    return scatterings_[static_cast<std::size_t>(chosen - points_.begin())];
+  const ShadingPoint& shading_point(float xi) const {
+    const auto chosen = std::find_if(points_.begin(), points_.end() - 1, [&](const BakePoints::Point& at) {
+      return xi < at.cumulative_fraction;
+    });
+    return shading_points_[static_cast<std::size_t>(chosen - points_.begin())];
   }
 
  private:
   std::vector<BakePoints::Point> points_;
-  std::vector<Scattering> scatterings_;
+  std::vector<ShadingPoint> shading_points_;
 };
 
 Bake::Bake(const CompiledScene& scene, const BakePoints& points, const BakeSettings& settings)
@@ -137,7 +138,7 @@ RenderEnd Bake::run_stages() {
 }
 
 bool Bake::run_stage(int samples) {
-  parallel::for_each_part(points_.count(), [&](std::size_t begin, std::size_t end) {
+  parallel::for_each_range(points_.count(), [&](std::size_t begin, std::size_t end) {
     Vertex vertex;
     for (std::size_t i = begin; i != end; ++i) {
       if (points_.has_faces(i) && !advance(i, samples, vertex)) break;
@@ -210,11 +211,11 @@ bool Bake::add_samples(std::size_t index, int half, std::uint32_t count, Vertex&
       hash(hash(settings_.seed, static_cast<std::uint32_t>(index)), static_cast<std::uint32_t>(half));
   for (std::uint32_t& number = vertex.tally.counts[h]; number < count; ++number) {
     if (number % 16 == 0 && ends_early()) return false;
-    PathNumbers numbers(seed, number);
-    const Scattering& scattering = vertex.scattering(numbers.next().x);
-    Gathered gathered;
+    PathSampler sampler(seed, number);
+    const ShadingPoint& shading = vertex.shading_point(sampler.next().x);
+    GatherSample gathered;
     if (settings_.integrator.depth > 0) {
-      gathered = kernel_(scene_, settings_.integrator, scattering, numbers, vertex.counter);
+      gathered = kernel_(scene_, settings_.integrator, shading, sampler, vertex.counter);
     }
     ++vertex.done.paths;
     const Rgb radiance = gathered.light.radiance + gathered.scattered.radiance;
@@ -232,8 +233,8 @@ bool Bake::add_samples(std::size_t index, int half, std::uint32_t count, Vertex&
   return true;
 }
 
-void Bake::add(const Gathered& gathered, int half, Vertex& vertex) const {
-  for (const Arrival& arrival : {gathered.light, gathered.scattered}) {
+void Bake::add(const GatherSample& gathered, int half, Vertex& vertex) const {
+  for (const IncidentSample& arrival : {gathered.light, gathered.scattered}) {
     if (arrival.radiance == Rgb(0)) continue;
     const std::size_t cell =
         cell_count() == 1

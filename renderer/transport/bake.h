@@ -105,7 +105,7 @@ class Bake {
   std::uint32_t count_after(const BakeTally& tally, int half, int samples) const;
   bool advance(std::size_t index, int samples, Vertex& vertex);
   bool add_samples(std::size_t index, int half, std::uint32_t count, Vertex& vertex);
-  void add(const Gathered& gathered, int half, Vertex& vertex) const;
+  void add(const GatherSample& gathered, int half, Vertex& vertex) const;
   void put_back(std::size_t index, const Vertex& vertex);
   Imath::V3d radiance(std::size_t vertex, int half) const;
   Imath::V3d radiance(std::size_t vertex, int half, std::size_t cell) const;

@@ -88,7 +88,7 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
   BakeHeader header;
   take(rest, &header, 1);
   if (header.vertices != bake.vertex_count() || header.sums_per_vertex != bake.sums_per_vertex()) {
-    return refuse(belongs_elsewhere(BakeKind, "with other options"));
+    return refuse(mismatch_reason(BakeKind, "with other options"));
   }
   const std::size_t vertex_bytes = bake.vertex_count() * bytes_per_vertex(bake);
   if (rest.size() != vertex_bytes + sizeof(End)) return refuse("it is damaged (wrong file size)");

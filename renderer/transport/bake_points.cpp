@@ -104,7 +104,7 @@ void BakePoints::list_corners() {
 }
 
 SurfacePoint BakePoints::point_at(const Corner& corner) const {
-  return compiled_.front_point({0, corner.triangle}, weights_near(corner.corner, corner.way));
+  return compiled_.front_point({0, corner.triangle}, weights_near(corner.corner, corner.fraction));
 }
 
 bool BakePoints::is_covered(const Corner& corner) const {
@@ -133,9 +133,9 @@ void BakePoints::uncover(std::size_t vertex) {
   for (const Corner& corner : corners) is_open.push_back(!is_covered(corner));
   if (std::find(is_open.begin(), is_open.end(), true) == is_open.end()) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      const float way = way_out(corners[i]);
+      const float way = uncovered_fraction(corners[i]);
       is_open[i] = way > 0;
-      if (way > 0) corners[i].way = way;
+      if (way > 0) corners[i].fraction = way;
     }
   }
   if (std::find(is_open.begin(), is_open.end(), true) == is_open.end()) return;
@@ -145,12 +145,12 @@ void BakePoints::uncover(std::size_t vertex) {
 }
 
 /// Returns the fraction at which a covered point is unoccluded; 0 if there is none.
-float BakePoints::way_out(Corner corner) const {
+float BakePoints::uncovered_fraction(Corner corner) const {
   constexpr int Steps = 24;
   constexpr float OppositeEdge = 1.5F;
   for (int i = 1; i < Steps; ++i) {
-    corner.way = OppositeEdge * static_cast<float>(i) / Steps;
-    if (!is_covered(corner)) return corner.way;
+    corner.fraction = OppositeEdge * static_cast<float>(i) / Steps;
+    if (!is_covered(corner)) return corner.fraction;
   }
   return 0;
 }
@@ -163,15 +163,15 @@ void BakePoints::points_at(std::size_t vertex, std::vector<Point>& points) const
     sum += corner.angle;
     points.push_back({point_at(corner), sum});
   }
-  for (Point& point : points) point.share_end /= sum;
+  for (Point& point : points) point.cumulative_fraction /= sum;
 }
 
 Vec3f BakePoints::normal_of(std::span<const Point> points) {
   Vec3f sum(0);
-  float share_start = 0;
+  float previous_fraction = 0;
   for (const Point& point : points) {
-    sum += point.point.shading_normal * (point.share_end - share_start);
-    share_start = point.share_end;
+    sum += point.point.shading_normal * (point.cumulative_fraction - previous_fraction);
+    previous_fraction = point.cumulative_fraction;
   }
   return sum.length2() > 0 ? sum.normalized() : points.front().point.shading_normal;
 }

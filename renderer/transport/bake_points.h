@@ -38,7 +38,7 @@ class BakePoints {
 
   struct Point {
     SurfacePoint point;
-    float share_end = 1;  ///< cumulative fraction of the angles, this point included
+    float cumulative_fraction = 1;  ///< cumulative fraction of the angles, this point included
   };
   /// Replaces `points` with those of a vertex, one per triangle.
   void points_at(std::size_t vertex, std::vector<Point>& points) const;
@@ -52,8 +52,8 @@ class BakePoints {
   struct Corner {
     std::uint32_t triangle = 0;
     std::uint32_t corner = 0;
-    float angle = 0;    ///< 0: excluded
-    float way = Start;  ///< fraction of the way from the vertex to the triangle's centroid
+    float angle = 0;         ///< 0: excluded
+    float fraction = Start;  ///< fraction of the way from the vertex to the triangle's centroid
   };
 
   void list_vertices(const grf::Scene& scene);
@@ -61,7 +61,7 @@ class BakePoints {
   void uncover(std::size_t vertex);
   SurfacePoint point_at(const Corner& corner) const;
   bool is_covered(const Corner& corner) const;
-  float way_out(Corner corner) const;
+  float uncovered_fraction(Corner corner) const;
   std::span<const Corner> corners_of(std::size_t vertex) const {
     const std::size_t index = vertices_[vertex];
     return std::span(corners_).subspan(first_corner_[index], first_corner_[index + 1] - first_corner_[index]);

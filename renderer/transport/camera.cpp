@@ -34,7 +34,7 @@ View view_of(const grf::Box3d& bounds, float field_of_view, float aspect) {
   return view;
 }
 
-View seen_from(const grf::Vec3d& origin, const View& view) {
+View relative_to(const grf::Vec3d& origin, const View& view) {
   View result = view;
   result.eye -= origin;
   result.target -= origin;

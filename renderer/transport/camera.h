@@ -19,7 +19,7 @@ struct View {
 View view_of(const grf::Box3d& bounds, float field_of_view, float aspect);
 
 /// Returns the same view in coordinates with their origin at this point.
-View seen_from(const grf::Vec3d& origin, const View& view);
+View relative_to(const grf::Vec3d& origin, const View& view);
 
 /// A pinhole camera.
 class Camera {

@@ -111,7 +111,7 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
   const RenderHeader expected = header_of(render);
   if (header.width != expected.width || header.height != expected.height ||
       header.tile_size != expected.tile_size) {
-    return refuse(belongs_elsewhere(RenderKind, "with other options"));
+    return refuse(mismatch_reason(RenderKind, "with other options"));
   }
   if (contents->bytes.size() != size_of_contents(render.film())) {
     return refuse("it is damaged (wrong file size)");

@@ -38,9 +38,9 @@ std::string defect_of(std::string_view bytes, const CheckpointKind& kind) {
 /// Returns why a checkpoint belongs to another result; empty if it does not.
 std::string difference_between(const Fingerprint& found, const Fingerprint& expected,
                                const CheckpointKind& kind) {
-  if (found.files != expected.files) return belongs_elsewhere(kind, "of a scene with other contents");
-  if (found.options != expected.options) return belongs_elsewhere(kind, "with other options");
-  if (found.program != expected.program) return belongs_elsewhere(kind, "by another build of bpt");
+  if (found.files != expected.files) return mismatch_reason(kind, "of a scene with other contents");
+  if (found.options != expected.options) return mismatch_reason(kind, "with other options");
+  if (found.program != expected.program) return mismatch_reason(kind, "by another build of bpt");
   return "";
 }
 
@@ -88,7 +88,7 @@ void refuse_checkpoint(const std::string& path, const std::string& why, grf::Dia
   diagnostics.error(grf::whole_file(path), "cannot resume from the checkpoint: " + why);
 }
 
-std::string belongs_elsewhere(const CheckpointKind& kind, std::string_view what) {
+std::string mismatch_reason(const CheckpointKind& kind, std::string_view what) {
   return fmt::format("it belongs to a {} {}; remove it, or name another file, to start over", kind.name,
                      what);
 }

@@ -55,7 +55,7 @@ std::optional<CheckpointContents> read_checkpoint_frame(const std::string& path,
 void refuse_checkpoint(const std::string& path, const std::string& why, grf::Diagnostics& diagnostics);
 
 /// Returns why a checkpoint of the same scene, but with other options, cannot be used.
-std::string belongs_elsewhere(const CheckpointKind& kind, std::string_view what);
+std::string mismatch_reason(const CheckpointKind& kind, std::string_view what);
 
 template <class T>
 std::string_view bytes_of(const T& value) {

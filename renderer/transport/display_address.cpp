@@ -28,7 +28,7 @@ std::optional<DisplayAddress> display_address_of(std::string_view text) {
   return number >= 1 && number <= 65535 ? std::optional(address) : std::nullopt;
 }
 
-DisplayAddress usual_display_address() {
+DisplayAddress default_display_address() {
   const char* port = std::getenv("GRANADA_DISPLAY_PORT");
   if (port == nullptr) return {};
   return display_address_of(std::string(":") + port).value_or(DisplayAddress());

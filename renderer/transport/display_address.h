@@ -21,6 +21,6 @@ std::optional<DisplayAddress> display_address_of(std::string_view text);
 /// Returns the address where renders look for a viewer and viewers listen unless told otherwise: tev's on
 /// this machine, with the port from the environment variable GRANADA_DISPLAY_PORT, if it is a valid one.
 /// Users who share a machine need different ports.
-DisplayAddress usual_display_address();
+DisplayAddress default_display_address();
 
 }  // namespace transport

@@ -45,11 +45,11 @@ struct FreeAddresses {
 }  // namespace
 
 DisplayClient::DisplayClient(const Render& render, DisplayAddress address, std::string image_name,
-                             ViewerCare viewer_care)
+                             ViewerLauncher viewer_launcher)
     : render_(render),
       address_(std::move(address)),
       name_(std::move(image_name)),
-      viewer_care_(std::move(viewer_care)),
+      viewer_launcher_(std::move(viewer_launcher)),
       sent_(static_cast<std::size_t>(render.film().tile_count())),
       thread_([this] { run(); }) {}
 
@@ -125,19 +125,19 @@ std::optional<std::string> DisplayClient::connect() {
 bool DisplayClient::connect_to_any() {
   const std::optional<std::string> why = connect();
   if (!why) return true;
-  if (!viewer_care_) {
+  if (!viewer_launcher_) {
     fail(fmt::format(
         "no viewer listens at {} ({}): to watch the render, start `wannabe --tool image` or another viewer "
         "that supports tev's protocol",
         address_.text(), *why));
     return false;
   }
-  std::optional<std::string> problem = viewer_care_();
+  std::optional<std::string> problem = viewer_launcher_();
   const auto latest = Clock::now() + StartTime;
   while (!problem && !is_out_of_time()) {
     std::this_thread::sleep_for(Pause);
     if (!connect()) return true;
-    problem = Clock::now() < latest ? viewer_care_() : "the viewer that was started does not answer";
+    problem = Clock::now() < latest ? viewer_launcher_() : "the viewer that was started does not answer";
   }
   if (problem) {
     fail(fmt::format("no viewer listens at {}, and none can be started ({}): rendering continues without one",

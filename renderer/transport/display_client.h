@@ -17,17 +17,17 @@ namespace transport {
 
 /// Starts a viewer on the first call and watches it on the later ones: returns what prevents it from running,
 /// or nothing if all is well.
-using ViewerCare = std::function<std::optional<std::string>()>;
+using ViewerLauncher = std::function<std::optional<std::string>()>;
 
 /// Shows a running render in a viewer that speaks tev's protocol. A thread of its own watches the render and
 /// sends changed tiles: a slow viewer receives fewer intermediate states, and the render never waits. The
 /// client ends when the viewer disconnects.
 class DisplayClient {
  public:
-  /// The render must outlive the client. If nobody listens, `viewer_care` can start a viewer: the client's
-  /// thread calls it periodically until the viewer listens.
+  /// The render must outlive the client. If nobody listens, `viewer_launcher` can start a viewer: the
+  /// client's thread calls it periodically until the viewer listens.
   DisplayClient(const Render& render, DisplayAddress address, std::string image_name,
-                ViewerCare viewer_care = {});
+                ViewerLauncher viewer_launcher = {});
   DisplayClient(const DisplayClient&) = delete;
   DisplayClient& operator=(const DisplayClient&) = delete;
   /// Discards what was not sent.
@@ -56,7 +56,7 @@ class DisplayClient {
   const Render& render_;
   const DisplayAddress address_;
   const std::string name_;
-  const ViewerCare viewer_care_;
+  const ViewerLauncher viewer_launcher_;
   std::vector<std::uint32_t> sent_;  ///< per tile: the number of samples when it was last sent
   int socket_ = -1;
   std::atomic<bool> is_connecting_ = true;

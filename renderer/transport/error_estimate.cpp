@@ -38,8 +38,8 @@ constexpr double OneHalfBright = 0.7;
 constexpr double LoneContrast = 2;
 /// The prior for outliers: as if this many had been observed, whose halves agreed this much on black: where
 /// nothing else shines, no path finds light by chance.
-constexpr double LonePixelsBefore = 5;
-constexpr double LoneAgreementBefore = 0.12;
+constexpr double OutlierPixelsBefore = 5;
+constexpr double OutlierAgreementBefore = 0.12;
 /// The number of standard deviations by which the outliers' agreement may be off.
 constexpr double LoneQuantile = 1.1;
 /// The agreement above which an outlier may be an object that every sample hits.
@@ -54,12 +54,12 @@ constexpr double Balance = 0.5;
 constexpr double BinomialPart = 0.4;
 
 // Measured, as UncertainPart was.
-constexpr double DoubtPart = 0.45;      ///< of second-order errors, from the bias of the denominators
-constexpr double LoneDoubtPart = 0.45;  ///< the same, of the outliers' errors
-constexpr double TailGrowth = 0.65;     ///< with the logarithm of the number of touched pixels
-constexpr double TailBound = 1600;      ///< of the squared relative error of the least touched pixel
-constexpr double UnseenPart = 0.4;      ///< of the error of pixels without hits, in most images
-constexpr double TouchedPart = 0.88;    ///< of the touched pixels' errors, which may be missing
+constexpr double UncertaintyPart = 0.45;  ///< of second-order errors, from the bias of the denominators
+constexpr double OutlierUncertaintyPart = 0.45;  ///< the same, of the outliers' errors
+constexpr double TailGrowth = 0.65;              ///< with the logarithm of the number of touched pixels
+constexpr double TailBound = 1600;               ///< of the squared relative error of the least touched pixel
+constexpr double UnseenPart = 0.4;               ///< of the error of pixels without hits, in most images
+constexpr double TouchedPart = 0.88;             ///< of the touched pixels' errors, which may be missing
 
 /// Statistics of values around a pixel.
 struct Neighbours {
@@ -247,11 +247,11 @@ double add_value(const PixelMoments& pixels, const PixelValue& value, const Surr
   const bool is_lone = mean > LoneContrast * (around.second_brightest + std::sqrt(RelmseFloor));
   if (is_lone) {
     const double excess = mean - around.second_brightest;
-    ++sums.lone.count;
-    if (around.darkest < std::sqrt(RelmseFloor)) ++sums.lone.on_black;
+    ++sums.outliers.count;
+    if (around.darkest < std::sqrt(RelmseFloor)) ++sums.outliers.on_black;
     const double agreement = 1 - variance / (excess * excess);
-    sums.lone.agreement += agreement;
-    if (agreement > SteadyAgreement) ++sums.lone.steady;
+    sums.outliers.agreement += agreement;
+    if (agreement > SteadyAgreement) ++sums.outliers.steady;
   }
   sums.touched.unseen += unseen_error(around, mean, pixels.samples);
   if (!(variance > 0)) return 0;
@@ -260,8 +260,8 @@ double add_value(const PixelMoments& pixels, const PixelValue& value, const Surr
   if (variance <= OneHalfBright * OneHalfBright * mean * mean) return error;
   const double own_error = variance / (mean * mean + RelmseFloor);
   if (is_lone) {
-    sums.lone.own += own_error;
-    sums.lone.neighbours += error;
+    sums.outliers.own += own_error;
+    sums.outliers.neighbours += error;
     return 0;
   }
   const double brighter = mean * mean / (around.darkest * around.darkest + RelmseFloor);
@@ -276,7 +276,7 @@ double add_value(const PixelMoments& pixels, const PixelValue& value, const Surr
   return 0;
 }
 
-/// What separately counted pixels add to the sums.
+/// The contribution of separately counted pixels to the sums.
 struct Supplement {
   double errors = 0;
   double squares = 0;
@@ -309,17 +309,17 @@ double bound_of(const ErrorSums::Touched& touched) {
 }
 
 /// The squared error of all outliers, and its bounds.
-struct LoneErrors {
+struct OutlierErrors {
   double errors = 0;
   double low = 0;
   double high = 0;
 };
 
 /// The error if the halves of outliers agree this much.
-double errors_at(const ErrorSums::Lone& lone, double agreement) {
+double errors_at(const ErrorSums::Outliers& outliers, double agreement) {
   const double hits = std::min(1.0, 4 * agreement / (1 + agreement));
-  const double own = hits > 0 ? lone.own / (hits * hits) : std::numeric_limits<double>::max();
-  return std::min(std::max(lone.own, lone.neighbours), own);
+  const double own = hits > 0 ? outliers.own / (hits * hits) : std::numeric_limits<double>::max();
+  return std::min(std::max(outliers.own, outliers.neighbours), own);
 }
 
 /// The agreement of the outliers' halves, combined with the prior.
@@ -336,17 +336,17 @@ struct Agreement {
   }
 };
 
-Agreement agreement_of(const ErrorSums::Lone& lone, double without) {
-  const double pixels = (lone.count - without) / PixelChannels + LonePixelsBefore;
-  const double before = LonePixelsBefore * LoneAgreementBefore * lone.on_black / lone.count;
-  return {pixels, std::clamp(((lone.agreement - without) / PixelChannels + before) / pixels, 0.0, 1.0)};
+Agreement agreement_of(const ErrorSums::Outliers& outliers, double without) {
+  const double pixels = (outliers.count - without) / PixelChannels + OutlierPixelsBefore;
+  const double before = OutlierPixelsBefore * OutlierAgreementBefore * outliers.on_black / outliers.count;
+  return {pixels, std::clamp(((outliers.agreement - without) / PixelChannels + before) / pixels, 0.0, 1.0)};
 }
 
-LoneErrors errors_of(const ErrorSums::Lone& lone) {
-  if (!(lone.count > 0.5)) return {};
-  const Agreement agreement = agreement_of(lone, 0);
-  return {errors_at(lone, agreement.mean), errors_at(lone, agreement.bound(1)),
-          errors_at(lone, agreement_of(lone, lone.steady).bound(-1))};
+OutlierErrors errors_of(const ErrorSums::Outliers& outliers) {
+  if (!(outliers.count > 0.5)) return {};
+  const Agreement agreement = agreement_of(outliers, 0);
+  return {errors_at(outliers, agreement.mean), errors_at(outliers, agreement.bound(1)),
+          errors_at(outliers, agreement_of(outliers, outliers.steady).bound(-1))};
 }
 
 /// The 97.5 % quantile of Student's t distribution (Cornish and Fisher 1938).
@@ -370,11 +370,12 @@ double half_logarithm(double added) { return std::log1p(added) / 2; }
 
 /// The degrees of freedom of the sum of squared errors. An edge pixel whose halves happen to agree hides that
 /// much of the error may be in that pixel, so the result is at most that of its binomial error.
-double freedom_of(const ErrorSums& sums, const Supplement& touched, double lone_errors) {
-  const double lone_squares = lone_errors > 0 ? spread_over(lone_errors, sums.lone.own).squares : 0;
+double freedom_of(const ErrorSums& sums, const Supplement& touched, double outlier_errors) {
+  const double outlier_squares =
+      outlier_errors > 0 ? spread_over(outlier_errors, sums.outliers.own).squares : 0;
   const auto effective = [&](double errors, double squares) {
-    errors += touched.errors + lone_errors;
-    return errors * errors / (std::max(0.0, squares) + touched.squares + lone_squares);
+    errors += touched.errors + outlier_errors;
+    return errors * errors / (std::max(0.0, squares) + touched.squares + outlier_squares);
   };
   const double pixels =
       std::min(effective(sums.errors, sums.squares), effective(sums.possible.errors, sums.possible.squares));
@@ -389,17 +390,17 @@ ErrorSums& ErrorSums::add(const ErrorSums& other, double sign) {
   squares += sign * other.squares;
   possible.errors += sign * other.possible.errors;
   possible.squares += sign * other.possible.squares;
-  doubt += sign * other.doubt;
+  denominator_uncertainty += sign * other.denominator_uncertainty;
   touched.errors += sign * other.touched.errors;
   touched.logarithms += sign * other.touched.logarithms;
   touched.bounds += sign * other.touched.bounds;
   touched.unseen += sign * other.touched.unseen;
-  lone.count += sign * other.lone.count;
-  lone.agreement += sign * other.lone.agreement;
-  lone.steady += sign * other.lone.steady;
-  lone.on_black += sign * other.lone.on_black;
-  lone.own += sign * other.lone.own;
-  lone.neighbours += sign * other.lone.neighbours;
+  outliers.count += sign * other.outliers.count;
+  outliers.agreement += sign * other.outliers.agreement;
+  outliers.steady += sign * other.outliers.steady;
+  outliers.on_black += sign * other.outliers.on_black;
+  outliers.own += sign * other.outliers.own;
+  outliers.neighbours += sign * other.outliers.neighbours;
   return *this;
 }
 
@@ -422,7 +423,7 @@ ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted) {
       sums.squares += error * error;
       sums.possible.errors += possible;
       sums.possible.squares += possible * possible;
-      sums.doubt += error * error / (1 + error);
+      sums.denominator_uncertainty += error * error / (1 + error);
     }
   }
   return sums;
@@ -431,21 +432,23 @@ ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted) {
 std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   if (!(sums.values > 0)) return std::nullopt;
   const Supplement touched = errors_of(sums.touched);
-  const LoneErrors lone = errors_of(sums.lone);
-  const double errors = sums.errors + touched.errors + lone.errors;
+  const OutlierErrors outliers = errors_of(sums.outliers);
+  const double errors = sums.errors + touched.errors + outliers.errors;
   if (!(errors > 0)) return ErrorEstimate();
-  const double freedom = freedom_of(sums, touched, lone.errors);
+  const double freedom = freedom_of(sums, touched, outliers.errors);
   // All of these refer to the logarithm of the error.
   const double deviation = logarithm_of_ratio(freedom);
-  const double doubt =
-      (DoubtPart * (sums.doubt + 0.75 * touched.errors) + LoneDoubtPart * lone.errors) / errors / 2;
+  const double denominator_uncertainty =
+      (UncertaintyPart * (sums.denominator_uncertainty + 0.75 * touched.errors) +
+       OutlierUncertaintyPart * outliers.errors) /
+      errors / 2;
   const double tail_above = half_logarithm(bound_of(sums.touched) / errors);
   // There may also be no tail.
   const double tail_below = -half_logarithm(-TouchedPart * touched.errors / errors);
-  const double lone_above = half_logarithm((lone.high - lone.errors) / errors);
-  const double lone_below = -half_logarithm(-(lone.errors - lone.low) / errors);
-  const double above = std::hypot(std::hypot(deviation, doubt), tail_above, lone_above);
-  const double below = std::hypot(LowerDeviation * deviation, tail_below, lone_below);
+  const double outliers_above = half_logarithm((outliers.high - outliers.errors) / errors);
+  const double outliers_below = -half_logarithm(-(outliers.errors - outliers.low) / errors);
+  const double above = std::hypot(std::hypot(deviation, denominator_uncertainty), tail_above, outliers_above);
+  const double below = std::hypot(LowerDeviation * deviation, tail_below, outliers_below);
   const double error = std::sqrt(errors / sums.values);
   return ErrorEstimate{error, error * std::exp(-below), error * std::exp(above)};
 }

@@ -18,7 +18,7 @@ struct ErrorSums {
   /// Squares of what a pixel's channels add to `errors`: they measure how unevenly the error is spread.
   double squares = 0;
   /// Second-order error e^2 / (1 + e), which comes from the uncertainty of the denominator.
-  double doubt = 0;
+  double denominator_uncertainty = 0;
 
   /// Possible sums: `errors` and `squares` if no pixel at an edge had less than a given fraction of the
   /// variance of a binomial distribution.
@@ -36,14 +36,14 @@ struct ErrorSums {
   } touched;
 
   /// Outliers: values that stand out from all neighbours but one.
-  struct Lone {
+  struct Outliers {
     double count = 0;
     double agreement = 0;   ///< from 0, only one half is bright, to 1; summed over values
     double steady = 0;      ///< how many agree so well that every sample may hit them
     double on_black = 0;    ///< how many have a neighbour darker than the floor
     double own = 0;         ///< the squared error, if the pixels are as bright as they seem
     double neighbours = 0;  ///< the same, if they are as bright as their neighbours
-  } lone;
+  } outliers;
 
   ErrorSums& operator+=(const ErrorSums& other) { return add(other, 1); }
   ErrorSums operator-(const ErrorSums& other) const { return ErrorSums(*this).add(other, -1); }

@@ -26,7 +26,7 @@ struct FilmTile {
   TileBounds bounds;
   Counts counts = {};
   std::vector<PixelSums> pixels;  ///< rows from the top
-  /// The noisiness of each half: `spread_since` over its pilot; see SamplePlacement.
+  /// The noisiness of each half: `spread_since` over its pilot; see AdaptiveSampling.
   std::array<double, Scramblings> spreads = {};
 
   std::uint32_t sample_count() const { return counts[0] + counts[1]; }

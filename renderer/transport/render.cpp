@@ -12,7 +12,7 @@ namespace {
 
 static_assert(std::atomic<bool>::is_always_lock_free, "Render::stop is called from signal handlers");
 
-constexpr int Pilot = SamplePlacement::PilotSamples;
+constexpr int Pilot = AdaptiveSampling::PilotSamples;
 
 /// Returns the first sample count, not less than this, at which the error is checked.
 int check_from(int samples) {
@@ -32,7 +32,7 @@ Render::Render(const CompiledScene& scene, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
       kernel_(kernel_of(scene, settings.integrator)),
-      camera_(seen_from(scene.origin(), settings.view), settings.width, settings.height),
+      camera_(relative_to(scene.origin(), settings.view), settings.width, settings.height),
       film_(settings.width, settings.height),
       start_(std::chrono::steady_clock::now()),
       start_ticks_(processor_ticks()) {}
@@ -62,7 +62,7 @@ void Render::run() {
 
 RenderEnd Render::run_stages() {
   for (int samples = 0;; ++samples) {
-    if (is_adaptive() && !placement_ && has_pilot()) placement_.emplace(film_);
+    if (is_adaptive() && !adaptive_sampling_ && has_pilot()) adaptive_sampling_.emplace(film_);
     samples = stage_from(samples);
     if (samples < settings_.samples && exceeds(samples)) continue;  // an earlier run got beyond this
     if (!run_stage(samples)) return stopped_ ? RenderEnd::Stopped : RenderEnd::Time;
@@ -91,7 +91,7 @@ bool Render::has_pilot() const {
 
 /// Sample counts of each tile for this mean number of samples per pixel.
 std::vector<FilmTile::Counts> Render::counts_at(int samples) const {
-  if (placement_ && samples > Pilot) return placement_->counts(samples);
+  if (adaptive_sampling_ && samples > Pilot) return adaptive_sampling_->counts(samples);
   return std::vector<FilmTile::Counts>(static_cast<std::size_t>(film_.tile_count()), uniform_counts(samples));
 }
 
@@ -108,8 +108,9 @@ bool Render::exceeds(int samples) const {
 
 /// Renders until pixels have this mean number of samples; false if that ended early.
 bool Render::run_stage(int samples) {
-  const auto pieces = is_adaptive() && samples == Pilot ? TileQueue::Pieces::Whole : TileQueue::Pieces::Short;
-  TileQueue queue(film_, counts_at(samples), parallel::thread_count(), pieces);
+  const auto item_size =
+      is_adaptive() && samples == Pilot ? TileQueue::ItemSize::Whole : TileQueue::ItemSize::Short;
+  TileQueue queue(film_, counts_at(samples), parallel::thread_count(), item_size);
   parallel::on_each_thread([&] { work(queue); });
   return queue.is_finished();
 }
@@ -206,12 +207,12 @@ Rgb Render::sample(Kernel kernel, int x, int y, int scrambling, std::uint32_t nu
                    RayCounter& counter) const {
   const std::uint32_t pixel_seed =
       hash(hash(settings_.seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
-  PathNumbers numbers(hash(pixel_seed, static_cast<std::uint32_t>(scrambling)), number, settings_.points);
-  const grf::Vec2f place = place_in_pixel(static_cast<int>(number) * Film::Scramblings + scrambling, numbers);
+  PathSampler sampler(hash(pixel_seed, static_cast<std::uint32_t>(scrambling)), number, settings_.pattern);
+  const grf::Vec2f place = place_in_pixel(static_cast<int>(number) * Film::Scramblings + scrambling, sampler);
   const float image_x = static_cast<float>(x) + place.x;
   const float image_y = static_cast<float>(y) + place.y;
-  return kernel(scene_, settings_.integrator, camera_.ray(image_x, image_y), behind(image_x, image_y),
-                numbers, counter);
+  return kernel(scene_, settings_.integrator, camera_.ray(image_x, image_y), backplate_at(image_x, image_y),
+                sampler, counter);
 }
 
 std::optional<NotFinite> Render::cause_of_rejection() const {
@@ -233,11 +234,11 @@ std::optional<NotFinite> Render::cause_of_rejection() const {
   return NotFinite();
 }
 
-grf::Vec2f Render::place_in_pixel(int sample, PathNumbers& numbers) const {
-  switch (settings_.placing) {
-    case PixelPlacing::Centre:
+grf::Vec2f Render::place_in_pixel(int sample, PathSampler& sampler) const {
+  switch (settings_.pixel_sampling) {
+    case PixelSampling::Centre:
       return {0.5F, 0.5F};
-    case PixelPlacing::Regular: {
+    case PixelSampling::Regular: {
       const int columns = settings_.grid_columns;
       const int rows = (settings_.samples + columns - 1) / columns;
       const auto middle = [](int cell, int count) {
@@ -245,13 +246,13 @@ grf::Vec2f Render::place_in_pixel(int sample, PathNumbers& numbers) const {
       };
       return {middle(sample % columns, columns), middle(sample / columns, rows)};
     }
-    case PixelPlacing::Sobol:
+    case PixelSampling::Sobol:
       break;
   }
-  return numbers.next().xy();
+  return sampler.next().xy();
 }
 
-std::optional<Rgb> Render::behind(float x, float y) const {
+std::optional<Rgb> Render::backplate_at(float x, float y) const {
   if (!settings_.backplate) return std::nullopt;
   const auto index_of = [](float place, int size, int count) {
     return std::min(static_cast<int>(place / static_cast<float>(size) * static_cast<float>(count)),

@@ -9,16 +9,16 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/transport/adaptive_sampling.h"
 #include "renderer/transport/camera.h"
 #include "renderer/transport/film.h"
 #include "renderer/transport/integrators/kernel.h"
-#include "renderer/transport/sample_placement.h"
 #include "renderer/transport/tile_queue.h"
 
 namespace transport {
 
 /// How samples are placed within a pixel.
-enum class PixelPlacing {
+enum class PixelSampling {
   Sobol,    ///< low-discrepancy, anywhere in the pixel
   Regular,  ///< at the centres of a regular grid's cells
   Centre,   ///< all at the centre
@@ -36,14 +36,14 @@ struct RenderSettings {
   IntegratorSettings integrator;
   std::shared_ptr<const Image> backplate;  ///< image behind the scene, fitted to the image plane; null: none
   int samples = 100;                       ///< per pixel, at most; the mean over pixels if adaptive
-  /// Adaptive sampling, see SamplePlacement. Has no effect unless placing is Sobol.
+  /// Adaptive sampling, see AdaptiveSampling. Has no effect unless `pixel_sampling` is Sobol.
   bool adaptive = false;
   /// Stops once the estimated error is at most this, and its upper bound at most `ErrorMargin` times this.
   std::optional<double> target_error;
   std::optional<double> max_seconds;  ///< stops after this time, with the samples so far
-  PixelPlacing placing = PixelPlacing::Sobol;
+  PixelSampling pixel_sampling = PixelSampling::Sobol;
   int grid_columns = 1;  ///< for a regular placing; the rows follow from the samples
-  Points points = Points::Sobol;
+  SamplePattern pattern = SamplePattern::Sobol;
   std::uint32_t seed = 0;
   int threads = 0;  ///< 0: one per core
 };
@@ -125,7 +125,7 @@ class Render {
 
   const RenderSettings& settings() const { return settings_; }
 
-  /// To be called once `run` has returned; before that, only sizes and bounds are valid.
+  /// Must be called once `run` has returned; before that, only sizes and bounds are valid.
   const Film& film() const { return film_; }
   /// Returns the film's error estimate, computed on the threads of the settings. To be called once `run` has
   /// returned.
@@ -133,7 +133,7 @@ class Render {
 
  private:
   RenderEnd run_stages();
-  bool is_adaptive() const { return settings_.adaptive && settings_.placing == PixelPlacing::Sobol; }
+  bool is_adaptive() const { return settings_.adaptive && settings_.pixel_sampling == PixelSampling::Sobol; }
   int stage_from(int samples) const;
   std::vector<FilmTile::Counts> counts_at(int samples) const;
   bool exceeds(int samples) const;
@@ -147,8 +147,8 @@ class Render {
   void keep_tile(const TileWork& work, const FilmTile& tile, const RenderTotals& done,
                  std::uint64_t sampling_ticks);
   Rgb sample(Kernel kernel, int x, int y, int scrambling, std::uint32_t number, RayCounter& counter) const;
-  grf::Vec2f place_in_pixel(int sample, PathNumbers& numbers) const;
-  std::optional<Rgb> behind(float x, float y) const;
+  grf::Vec2f place_in_pixel(int sample, PathSampler& sampler) const;
+  std::optional<Rgb> backplate_at(float x, float y) const;
   bool ends_early();
   double elapsed() const;
   double pixel_count() const;
@@ -170,7 +170,7 @@ class Render {
   Kernel kernel_;
   Camera camera_;
   Film film_;
-  std::optional<SamplePlacement> placement_;  ///< set once the pilot is done
+  std::optional<AdaptiveSampling> adaptive_sampling_;  ///< set once the pilot is done
   /// Held while a tile of the film is copied or put back: for about a microsecond every few milliseconds.
   mutable std::array<std::mutex, 64> tile_locks_;
   const std::chrono::steady_clock::time_point start_;

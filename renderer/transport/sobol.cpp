@@ -154,25 +154,25 @@ Uniform4 sobol_point(std::uint32_t index, std::uint32_t seed) { return point_of(
 
 // The first samples of independently scrambled sequences are independent: so paths do the same work with
 // either pattern.
-PathNumbers::PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample, Points points)
-    : seed_(points == Points::Sobol ? sequence_seed : hash(sequence_seed, sample)),
-      sample_(points == Points::Sobol ? sample : 0),
+PathSampler::PathSampler(std::uint32_t sequence_seed, std::uint32_t sample, SamplePattern pattern)
+    : seed_(pattern == SamplePattern::Sobol ? sequence_seed : hash(sequence_seed, sample)),
+      sample_(pattern == SamplePattern::Sobol ? sample : 0),
       reversed_sample_(reverse_bits(sample_)),
-      points_(points) {}
+      pattern_(pattern) {}
 
-Uniform4 PathNumbers::next() { return point_of(reversed_sample_, hash(seed_, group_++)); }
+Uniform4 PathSampler::next() { return point_of(reversed_sample_, hash(seed_, dimension_++)); }
 
-TwoPoints PathNumbers::next_two() {
-  const std::uint32_t first = hash(seed_, group_++);
-  const std::uint32_t second = hash(seed_, group_++);
+SamplePair PathSampler::next_two() {
+  const std::uint32_t first = hash(seed_, dimension_++);
+  const std::uint32_t second = hash(seed_, dimension_++);
   const Lanes4 a = reversed_point(reversed_sample_, first);
   const Lanes4 b = reversed_point(reversed_sample_, second);
   const Lanes4 seed_a = first + Steps;
   const Lanes4 seed_b = second + Steps;
-  const Lanes8 points = {a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
+  const Lanes8 pattern = {a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
   const Lanes8 seeds = {seed_a[0], seed_a[1], seed_a[2], seed_a[3],
                         seed_b[0], seed_b[1], seed_b[2], seed_b[3]};
-  const auto unit = to_unit(scramble_reversed(points, mixed(seeds)));
+  const auto unit = to_unit(scramble_reversed(pattern, mixed(seeds)));
   return {{unit[0], unit[1], unit[2], unit[3]}, {unit[4], unit[5], unit[6], unit[7]}};
 }
 

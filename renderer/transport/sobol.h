@@ -24,63 +24,65 @@ struct Uniform4 {
 Uniform4 sobol_point(std::uint32_t index, std::uint32_t seed);
 
 /// The pattern of the random numbers of different samples.
-enum class Points {
+enum class SamplePattern {
   Sobol,        ///< low-discrepancy: samples of one Owen-scrambled sequence
   Independent,  ///< independent random numbers
 };
 
 /// A set of samples for one purpose: low-discrepancy, or independent.
-class PointSet {
+class SampleSet {
  public:
-  PointSet(std::uint32_t first, std::uint32_t seed, Points points)
-      : first_(first), seed_(seed), points_(points) {}
+  SampleSet(std::uint32_t first, std::uint32_t seed, SamplePattern pattern)
+      : first_(first), seed_(seed), pattern_(pattern) {}
 
   Uniform4 operator[](int index) const {
     const std::uint32_t number = first_ + static_cast<std::uint32_t>(index);
-    return points_ == Points::Sobol ? sobol_point(number, seed_) : sobol_point(0, hash(seed_, number));
+    return pattern_ == SamplePattern::Sobol ? sobol_point(number, seed_)
+                                            : sobol_point(0, hash(seed_, number));
   }
 
  private:
   std::uint32_t first_;
   std::uint32_t seed_;
-  Points points_;
+  SamplePattern pattern_;
 };
 
-struct TwoPoints {
+struct SamplePair {
   Uniform4 first, second;
 };
 
 /// The sampler of one path. Its values depend only on the image's seed, the pixel, the scrambling, the sample
 /// index and the number of earlier calls.
-class PathNumbers {
+class PathSampler {
  public:
-  PathNumbers(std::uint32_t sequence_seed, std::uint32_t sample, Points points = Points::Sobol);
+  PathSampler(std::uint32_t sequence_seed, std::uint32_t sample,
+              SamplePattern pattern = SamplePattern::Sobol);
 
   Uniform4 next();
 
   /// Returns the same as two calls of `next`, in less time.
-  TwoPoints next_two();
+  SamplePair next_two();
 
   /// Returns the sampler of path `index` of `count` into which this one splits. Over all samples, the split
   /// paths share one sequence per dimension.
-  PathNumbers branch(int index, int count) const {
+  PathSampler branch(int index, int count) const {
     constexpr std::uint32_t Apart = 0x80000000U;  // apart from the seeds of dimensions
-    return {hash(seed_, Apart + group_),
-            sample_ * static_cast<std::uint32_t>(count) + static_cast<std::uint32_t>(index), points_};
+    return {hash(seed_, Apart + dimension_),
+            sample_ * static_cast<std::uint32_t>(count) + static_cast<std::uint32_t>(index), pattern_};
   }
 
   /// Returns `count` samples for one purpose. Over all samples of the pixel they form one sequence, if each
   /// asks for the same number; independent if the pattern is.
-  PointSet next_set(int count) {
-    return {sample_ * static_cast<std::uint32_t>(count), hash(seed_, group_++), points_};
+  SampleSet next_set(int count) {
+    return {sample_ * static_cast<std::uint32_t>(count), hash(seed_, dimension_++), pattern_};
   }
 
  private:
   std::uint32_t seed_;
   std::uint32_t sample_;
   std::uint32_t reversed_sample_;
-  std::uint32_t group_ = 0;
-  Points points_;
+  std::uint32_t dimension_ = 0;
+  SamplePattern pattern_;
 };
 
 }  // namespace transport

@@ -11,7 +11,7 @@ namespace {
 /// About 4,000 paths per tile: milliseconds, compared with which taking work costs nothing.
 constexpr int LongestPass = 16;
 /// The remaining work, in items per thread, at which items start to get shorter.
-constexpr int PiecesAtTheEnd = 4;
+constexpr int ItemsAtTheEnd = 4;
 
 std::int64_t sum(const FilmTile::Counts& counts) { return std::int64_t{counts[0]} + counts[1]; }
 
@@ -55,10 +55,10 @@ std::vector<int> tiles_from_the_centre(const Film& film) {
   return tiles;
 }
 
-TileQueue::TileQueue(const Film& film, std::vector<FilmTile::Counts> wanted, int threads, Pieces pieces)
+TileQueue::TileQueue(const Film& film, std::vector<FilmTile::Counts> wanted, int threads, ItemSize item_size)
     : wanted_(std::move(wanted)),
       threads_(threads),
-      pieces_(pieces),
+      item_size_(item_size),
       tile_of_rank_(tiles_from_the_centre(film)),
       rank_of_tile_(tile_of_rank_.size()) {
   for (int rank = 0; rank < film.tile_count(); ++rank) {
@@ -86,9 +86,9 @@ bool TileQueue::is_finished() {
 
 // Even lengths keep the two scramblings of a pixel balanced.
 std::int64_t TileQueue::length_of_next(std::int64_t present, std::int64_t wanted) const {
-  if (pieces_ == Pieces::Whole) return wanted - present;
+  if (item_size_ == ItemSize::Whole) return wanted - present;
   const std::int64_t growing = present < 2 ? 2 : std::min<std::int64_t>(present, LongestPass);
-  const std::int64_t share = remaining_ / (PiecesAtTheEnd * threads_);
+  const std::int64_t share = remaining_ / (ItemsAtTheEnd * threads_);
   return std::min(std::clamp<std::int64_t>(share, 1, growing), wanted - present);
 }
 

@@ -25,14 +25,14 @@ struct TileWork {
 /// workers finish at about the same time. How work is split does not affect the image.
 class TileQueue {
  public:
-  enum class Pieces {
+  enum class ItemSize {
     Short,
     Whole,  ///< one work item per tile
   };
 
   /// The film has the samples so far; `wanted` are the target counts of each tile.
   TileQueue(const Film& film, std::vector<FilmTile::Counts> wanted, int threads,
-            Pieces pieces = Pieces::Short);
+            ItemSize item_size = ItemSize::Short);
 
   /// Returns work on a tile that no other worker has; empty if there is none. The caller reports it by
   /// `done`.
@@ -57,7 +57,7 @@ class TileQueue {
 
   const std::vector<FilmTile::Counts> wanted_;
   const int threads_;
-  const Pieces pieces_;
+  const ItemSize item_size_;
   std::vector<int> tile_of_rank_;
   std::vector<int> rank_of_tile_;
   std::mutex mutex_;            ///< guards the members below

@@ -18,7 +18,7 @@ PLACES = {
     "converters/": 1,
     "converters/mesh_builder": 3,
     "converters/mesh_operations/": 3,
-    "converters/bare_faces": 3,
+    "converters/assign_default_brdf": 3,
     "converters/world_meshes": 3,
     "editor/document/": 1,
 }

@@ -75,20 +75,20 @@ void area(benchmark::State& state, const Emitter& emitter) {
     const Vec3f normal = emitter.doubled_area_normal().normalized();
     const float distance2 = to_light.length2();
     const Vec3f direction = to_light / std::sqrt(distance2);
-    const float density = distance2 / (-direction.dot(normal) * emitter.area());
-    return std::pair(direction, density);
+    const float pdf = distance2 / (-direction.dot(normal) * emitter.area());
+    return std::pair(direction, pdf);
   };
   Inputs inputs(2);
   for (auto _ : state) benchmark::DoNotOptimize(sample(inputs()));
   state.counters["deviation"] = deviation([&](const auto& input) {
-    const auto [direction, density] = sample(input);
-    return double(direction.z) / double(density);
+    const auto [direction, pdf] = sample(input);
+    return double(direction.z) / double(pdf);
   });
 }
 
 double estimate(const Lights& lights, const Inputs::Input& input) {
   const auto light = lights.sample(input.from, Up, input.choice, input.xi);
-  return light ? double(light->radiance.x) * double(light->direction.z) / double(light->density) : 0;
+  return light ? double(light->radiance.x) * double(light->direction.z) / double(light->pdf) : 0;
 }
 
 void solid_angle(benchmark::State& state, const Emitter& emitter) {
@@ -101,10 +101,10 @@ void solid_angle(benchmark::State& state, const Emitter& emitter) {
   state.counters["deviation"] = deviation([&](const auto& input) { return estimate(lights, input); });
 }
 
-void density(benchmark::State& state, const Emitter& emitter) {
+void pdf(benchmark::State& state, const Emitter& emitter) {
   const Lights lights({emitter});
   Inputs inputs(2);
-  for (auto _ : state) benchmark::DoNotOptimize(lights.density(inputs().from, Up, 0, Up));
+  for (auto _ : state) benchmark::DoNotOptimize(lights.pdf(inputs().from, Up, 0, Up));
 }
 
 BENCHMARK_CAPTURE(area, rectangle, Rectangle);
@@ -112,9 +112,9 @@ BENCHMARK_CAPTURE(area, triangle, Triangle);
 BENCHMARK_CAPTURE(solid_angle, rectangle, Rectangle);
 BENCHMARK_CAPTURE(solid_angle, parallelogram, Parallelogram);
 BENCHMARK_CAPTURE(solid_angle, triangle, Triangle);
-BENCHMARK_CAPTURE(density, rectangle, Rectangle);
-BENCHMARK_CAPTURE(density, parallelogram, Parallelogram);
-BENCHMARK_CAPTURE(density, triangle, Triangle);
+BENCHMARK_CAPTURE(pdf, rectangle, Rectangle);
+BENCHMARK_CAPTURE(pdf, parallelogram, Parallelogram);
+BENCHMARK_CAPTURE(pdf, triangle, Triangle);
 
 /// Lights of many sizes and orientations over a floor of 10 x 10, up to a height of 5.
 std::vector<Emitter> many(std::size_t count) {
@@ -141,13 +141,13 @@ void tree_sample(benchmark::State& state) {
   state.counters["bytes"] = static_cast<double>(lights.bytes()) / static_cast<double>(lights.size());
 }
 
-void tree_density(benchmark::State& state) {
+void tree_pdf(benchmark::State& state) {
   const Lights lights(many(static_cast<std::size_t>(state.range(0))));
   Inputs inputs(8);
   for (auto _ : state) {
     const auto& input = inputs();
     const auto emitter = static_cast<std::size_t>(input.choice * static_cast<float>(lights.size()));
-    benchmark::DoNotOptimize(lights.density(input.from, Up, emitter, Up));
+    benchmark::DoNotOptimize(lights.pdf(input.from, Up, emitter, Up));
   }
 }
 
@@ -157,7 +157,7 @@ void tree_build(benchmark::State& state) {
 }
 
 BENCHMARK(tree_sample)->Arg(1)->Arg(2)->Arg(100)->Arg(100'000);
-BENCHMARK(tree_density)->Arg(1)->Arg(2)->Arg(100)->Arg(100'000);
+BENCHMARK(tree_pdf)->Arg(1)->Arg(2)->Arg(100)->Arg(100'000);
 BENCHMARK(tree_build)->Arg(1000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// A noisy sky with a sun.
@@ -176,16 +176,16 @@ void map_sample(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(map.sample(inputs().xi));
 }
 
-void map_density(benchmark::State& state) {
+void map_pdf(benchmark::State& state) {
   const auto map = sky(static_cast<int>(state.range(0)));
   Inputs inputs(8);
   for (auto _ : state) {
     const auto& input = inputs();
-    benchmark::DoNotOptimize(map.density({input.from.x, input.choice, input.from.y}));
+    benchmark::DoNotOptimize(map.pdf({input.from.x, input.choice, input.from.y}));
   }
 }
 
 BENCHMARK(map_sample)->Arg(64)->Arg(2048);
-BENCHMARK(map_density)->Arg(64)->Arg(2048);
+BENCHMARK(map_pdf)->Arg(64)->Arg(2048);
 
 }  // namespace

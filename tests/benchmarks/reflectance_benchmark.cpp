@@ -12,12 +12,12 @@ using reflectance::Rgb;
 
 /// A model with its default parameters, or an example if it is made from data or other models.
 std::string instance_of(const grf::ModelInfo& model) {
-  switch (model.takes) {
-    case grf::ModelInfo::Takes::DataFile:
+  switch (model.argument_kind) {
+    case grf::ModelInfo::ArgumentKind::DataFile:
       return "table of torrance rough=0.3";
-    case grf::ModelInfo::Takes::Terms:
+    case grf::ModelInfo::ArgumentKind::Terms:
       return "0.5 diffuse + 0.3 ward sx=0.1 + 0.2 phong";
-    case grf::ModelInfo::Takes::Parameters:
+    case grf::ModelInfo::ArgumentKind::Parameters:
       break;
   }
   return std::string(model.keyword);

@@ -64,14 +64,14 @@ void sample(benchmark::State& state, const std::string& scheme_text, const std::
   state.counters["deviation"] = std::sqrt(std::max(0.0, squares * static_cast<double>(i) / (sum * sum) - 1));
 }
 
-void density(benchmark::State& state, const std::string& scheme_text, const std::string& brdf_text) {
+void pdf(benchmark::State& state, const std::string& scheme_text, const std::string& brdf_text) {
   const Brdf brdf = test::brdf_of(brdf_text);
   Scheme scheme = test::scheme_of(scheme_text);
   reflectance::build(scheme, brdf);
   const test::RandomInputs inputs;
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(reflectance::density(scheme, brdf, inputs.u[i], inputs.v[i]));
+    benchmark::DoNotOptimize(reflectance::pdf(scheme, brdf, inputs.u[i], inputs.v[i]));
     i = (i + 1) % inputs.u.size();
   }
 }
@@ -95,7 +95,7 @@ const bool Registered = [] {
           ->Unit(benchmark::kMillisecond)
           ->UseRealTime();
       benchmark::RegisterBenchmark(name("sample").c_str(), sample, scheme, brdf);
-      benchmark::RegisterBenchmark(name("density").c_str(), density, scheme, brdf);
+      benchmark::RegisterBenchmark(name("density").c_str(), pdf, scheme, brdf);
     }
   }
   for (const std::string& brdf : Brdfs) {

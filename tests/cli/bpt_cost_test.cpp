@@ -27,7 +27,7 @@ TEST(CostFit, FindsAKnownPowerLaw) {
   EXPECT_NEAR(fit.over_samples->factor, 0.3, 1e-12);
   EXPECT_NEAR(fit.over_seconds->exponent, 0.7, 1e-12);
   EXPECT_NEAR(fit.over_seconds->at(0.04), 0.3 * std::pow(4, -0.7), 1e-12);
-  EXPECT_NEAR(fit.over_seconds->where(0.01).value(), 0.01 * std::pow(30, 1 / 0.7), 1e-9);
+  EXPECT_NEAR(fit.over_seconds->inverse(0.01).value(), 0.01 * std::pow(30, 1 / 0.7), 1e-9);
 }
 
 TEST(CostFit, TakesTheErrorOfTheReferenceOff) {
@@ -47,7 +47,7 @@ TEST(CostFit, IsNotThereWithoutTwoPlaces) {
   const std::vector<CostPoint> same = {{4, 1, 0.1}, {4, 2, 0.2}};
   EXPECT_FALSE(command::fit_cost(same, 0).over_samples);
   EXPECT_TRUE(command::fit_cost(same, 0).over_seconds);
-  EXPECT_FALSE(command::fit_cost(same, 0).over_seconds->where(0.01)) << "the error grows";
+  EXPECT_FALSE(command::fit_cost(same, 0).over_seconds->inverse(0.01)) << "the error grows";
 }
 
 /// Two walls with interreflection, under a light.

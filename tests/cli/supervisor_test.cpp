@@ -31,59 +31,59 @@ using testing::ElementsAre;
 }
 
 /// Runs jobs in child processes and returns how each exited.
-std::map<std::size_t, Ending> endings_of(const std::vector<std::function<ExitCode()>>& work,
-                                         const Limits& limits = {}, std::size_t at_once = 1) {
-  std::map<std::size_t, Ending> endings;
-  Pieces pieces;
-  pieces.count = work.size();
-  pieces.at_once = at_once;
-  pieces.work = [&](std::size_t piece) { return work[piece](); };
-  pieces.ended = [&](std::size_t piece, const Ending& ending) {
-    EXPECT_TRUE(endings.emplace(piece, ending).second);
+std::map<std::size_t, ChildExit> child_exits_of(const std::vector<std::function<ExitCode()>>& work,
+                                                const Limits& limits = {}, std::size_t at_once = 1) {
+  std::map<std::size_t, ChildExit> child_exits;
+  Jobs jobs;
+  jobs.count = work.size();
+  jobs.at_once = at_once;
+  jobs.work = [&](std::size_t job) { return work[job](); };
+  jobs.ended = [&](std::size_t job, const ChildExit& child_exit) {
+    EXPECT_TRUE(child_exits.emplace(job, child_exit).second);
   };
   std::vector<pid_t> left;
-  EXPECT_TRUE(run_supervised(pieces, limits, left));
+  EXPECT_TRUE(run_supervised(jobs, limits, left));
   EXPECT_TRUE(left.empty());
-  return endings;
+  return child_exits;
 }
 
-Ending ending_of(const std::function<ExitCode()>& work, const Limits& limits = {}) {
-  return endings_of({work}, limits).at(0);
+ChildExit child_exit_of(const std::function<ExitCode()>& work, const Limits& limits = {}) {
+  return child_exits_of({work}, limits).at(0);
 }
 
 TEST(Supervisor, HandsOverWhatTheChildReturnsAndPrints) {
-  const Ending ending = ending_of([] {
+  const ChildExit child_exit = child_exit_of([] {
     std::printf("out\n");
     std::fprintf(stderr, "%s", std::string(1'000'000, 'e').c_str());
     return ExitCode::BadCommandLine;
   });
-  EXPECT_EQ(ending.cause, Ending::Cause::Returned);
-  EXPECT_EQ(ending.code, ExitCode::BadCommandLine);
-  EXPECT_EQ(ending.out, "out\n");
-  EXPECT_EQ(ending.err.size(), 1'000'000U);
-  EXPECT_NE(ending.process, ::getpid());
+  EXPECT_EQ(child_exit.cause, ChildExit::Cause::Returned);
+  EXPECT_EQ(child_exit.code, ExitCode::BadCommandLine);
+  EXPECT_EQ(child_exit.out, "out\n");
+  EXPECT_EQ(child_exit.err.size(), 1'000'000U);
+  EXPECT_NE(child_exit.process, ::getpid());
 }
 
 TEST(Supervisor, SurvivesCrashes) {
   for (const int signal : {SIGABRT, SIGKILL, SIGFPE}) {
-    const Ending ending = ending_of([signal] {
+    const ChildExit child_exit = child_exit_of([signal] {
       std::printf("before");
       std::fflush(stdout);
       std::signal(signal, SIG_DFL);
       ::raise(signal);
       return ExitCode::Done;
     });
-    EXPECT_EQ(ending.cause, Ending::Cause::Crashed);
-    EXPECT_EQ(ending.signal, signal);
-    EXPECT_EQ(ending.out, "before");
+    EXPECT_EQ(child_exit.cause, ChildExit::Cause::Crashed);
+    EXPECT_EQ(child_exit.signal, signal);
+    EXPECT_EQ(child_exit.out, "before");
   }
 }
 
 TEST(Supervisor, TellsExceptionsApart) {
-  const Ending memory = ending_of([]() -> ExitCode { throw std::bad_alloc(); });
-  EXPECT_EQ(memory.cause, Ending::Cause::OutOfMemory);
-  const Ending other = ending_of([]() -> ExitCode { throw std::runtime_error("what it was"); });
-  EXPECT_EQ(other.cause, Ending::Cause::Returned);
+  const ChildExit memory = child_exit_of([]() -> ExitCode { throw std::bad_alloc(); });
+  EXPECT_EQ(memory.cause, ChildExit::Cause::OutOfMemory);
+  const ChildExit other = child_exit_of([]() -> ExitCode { throw std::runtime_error("what it was"); });
+  EXPECT_EQ(other.cause, ChildExit::Cause::Returned);
   EXPECT_EQ(other.code, ExitCode::BadInput);
   EXPECT_EQ(other.err, "error: what it was\n");
 }
@@ -92,9 +92,10 @@ TEST(Supervisor, EndsWhatHangs) {
   const auto start = std::chrono::steady_clock::now();
   Limits limits;
   limits.seconds = 0.2;
-  const auto endings = endings_of({[]() -> ExitCode { hang(); }, [] { return ExitCode::Done; }}, limits);
-  EXPECT_EQ(endings.at(0).cause, Ending::Cause::OutOfTime);
-  EXPECT_EQ(endings.at(1).cause, Ending::Cause::Returned) << "the others are done all the same";
+  const auto child_exits =
+      child_exits_of({[]() -> ExitCode { hang(); }, [] { return ExitCode::Done; }}, limits);
+  EXPECT_EQ(child_exits.at(0).cause, ChildExit::Cause::OutOfTime);
+  EXPECT_EQ(child_exits.at(1).cause, ChildExit::Cause::Returned) << "the others are done all the same";
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
@@ -107,18 +108,18 @@ TEST(Supervisor, LimitsMemory) {
   };
   Limits limits;
   limits.memory = 400U << 20U;
-  EXPECT_EQ(ending_of(eat, limits).cause, Ending::Cause::OutOfMemory);
+  EXPECT_EQ(child_exit_of(eat, limits).cause, ChildExit::Cause::OutOfMemory);
   limits.memory = 0;
-  EXPECT_EQ(ending_of(eat, limits).cause, Ending::Cause::Returned);
+  EXPECT_EQ(child_exit_of(eat, limits).cause, ChildExit::Cause::Returned);
 }
 
 TEST(Supervisor, LeavesNoCoreDumps) {
-  const Ending ending = ending_of([] {
+  const ChildExit child_exit = child_exit_of([] {
     rlimit limit = {};
     ::getrlimit(RLIMIT_CORE, &limit);
     return limit.rlim_cur == 0 && limit.rlim_max == 0 ? ExitCode::Done : ExitCode::BadInput;
   });
-  EXPECT_EQ(ending.code, ExitCode::Done);
+  EXPECT_EQ(child_exit.code, ExitCode::Done);
 }
 
 TEST(Supervisor, RunsSeveralAtOnceAndNoMore) {
@@ -132,22 +133,23 @@ TEST(Supervisor, RunsSeveralAtOnceAndNoMore) {
   };
   const std::vector<std::function<ExitCode()>> nine(9, work);
   int most = 0;
-  for (const auto& [piece, ending] : endings_of(nine, {}, 3)) most = std::max(most, std::stoi(ending.out));
+  for (const auto& [job, child_exit] : child_exits_of(nine, {}, 3))
+    most = std::max(most, std::stoi(child_exit.out));
   EXPECT_EQ(most, 3);
-  for (const auto& [piece, ending] : endings_of(nine, {}, 1)) EXPECT_EQ(ending.out, "1");
+  for (const auto& [job, child_exit] : child_exits_of(nine, {}, 1)) EXPECT_EQ(child_exit.out, "1");
 }
 
 TEST(Supervisor, EndsTheOthersIfItsCallerThrows) {
-  Pieces pieces;
-  pieces.count = 2;
-  pieces.at_once = 2;
-  pieces.work = [](std::size_t piece) -> ExitCode {
-    if (piece == 1) hang();
+  Jobs jobs;
+  jobs.count = 2;
+  jobs.at_once = 2;
+  jobs.work = [](std::size_t job) -> ExitCode {
+    if (job == 1) hang();
     return ExitCode::Done;
   };
-  pieces.ended = [](std::size_t, const Ending&) { throw std::runtime_error("enough"); };
+  jobs.ended = [](std::size_t, const ChildExit&) { throw std::runtime_error("enough"); };
   std::vector<pid_t> left;
-  EXPECT_THROW(run_supervised(pieces, {}, left), std::runtime_error);
+  EXPECT_THROW(run_supervised(jobs, {}, left), std::runtime_error);
   EXPECT_LT(::waitpid(-1, nullptr, WNOHANG), 0) << "there is no child any more";
 }
 

@@ -10,8 +10,8 @@
 #include "renderer/plot/svg.h"
 #include "renderer/transport/image/image.h"
 #include "samples/studies/thesis/printed.h"
+#include "tests/support/camera_image.h"
 #include "tests/support/paths.h"
-#include "tests/support/picture.h"
 #include "tests/support/run.h"
 #include "tests/support/temporary_folder.h"
 
@@ -31,7 +31,7 @@ class ThesisScenes : public testing::Test {
     fs::copy(Samples + "studies/thesis", scenes_, fs::copy_options::recursive);
   }
 
-  test::Picture rendered(const std::string& name, const std::string& size) const {
+  test::CameraImage rendered(const std::string& name, const std::string& size) const {
     const std::string file = folder_.path(name + ".pfm");
     const auto outcome = test::run(
         {GRANADA_BIN_DIR "/bpt", scenes_ + name + ".op", "--size", size, "--samples", "4", "--output", file});
@@ -41,7 +41,7 @@ class ThesisScenes : public testing::Test {
     if (outcome.exit_code != 0 || !image || !options) {
       throw std::runtime_error(outcome.err + diagnostics.to_text());
     }
-    return {std::move(*image), Imath::V3d(*options->viewer), Imath::V3d(*options->target),
+    return {std::move(*image), Imath::V3d(*options->eye), Imath::V3d(*options->target),
             options->field_of_view};
   }
   void make(const std::vector<std::string>& command) const {
@@ -54,7 +54,7 @@ class ThesisScenes : public testing::Test {
 };
 
 TEST_F(ThesisScenes, ShowTheCornellBox) {
-  const test::Picture box = rendered("cornell_box", "80x64");
+  const test::CameraImage box = rendered("cornell_box", "80x64");
   test::expect_cornell_box(box.image());
   EXPECT_GT(box.at({278, 1, 100}).x, 0.0051F) << "the floor in front has more than its own glow";
 }
@@ -62,7 +62,7 @@ TEST_F(ThesisScenes, ShowTheCornellBox) {
 // Under a neutral area light and a neutral sky of 0.02, the highlight is at the look-at point and brighter
 // than its surroundings.
 TEST_F(ThesisScenes, ShowTheHighlightOfTheGlossySphere) {
-  const test::Picture sphere = rendered("glossy_sphere", "24x16");
+  const test::CameraImage sphere = rendered("glossy_sphere", "24x16");
   const auto highlight = sphere.at({0.065, 1.64, 0.767});
   EXPECT_GT(highlight.x, 0.1F);
   for (const int x : {0, 23}) {
@@ -78,7 +78,7 @@ TEST_F(ThesisScenes, ShowTheHighlightOfTheGlossySphere) {
 // (0.55, 0.68, 0.8) blue.
 TEST_F(ThesisScenes, ShowTheDragonBeforeItsWall) {
   make({GRANADA_BIN_DIR "/make_shape", "dragon", "3000", scenes_ + "parts/dragon.grf", "material", "scheme"});
-  const test::Picture dragon = rendered("dragon", "24x16");
+  const test::CameraImage dragon = rendered("dragon", "24x16");
   const auto floor = dragon.at({-0.9, 0, 1.2});
   EXPECT_GT(floor.z, 0.03F);
   EXPECT_GT(floor.x, 1.05F * floor.y);
@@ -97,7 +97,7 @@ TEST_F(ThesisScenes, ShowThreeJugs) {
   make({GRANADA_BIN_DIR "/bpt", "brdf", "export", "torrance rough=0.1 nreal=1.9 nimag=3.6 ks=1 kd=0", "-o",
         scenes_ + "nickel.binary"});
   for (const char* name : {"pottery", "measured"}) {
-    const test::Picture jugs = rendered(name, "45x22");
+    const test::CameraImage jugs = rendered(name, "45x22");
     for (const int x : {0, 22, 44}) {
       EXPECT_NEAR(jugs.image().at(x, 0).x, 0.1, 1e-6) << name;
       EXPECT_TRUE(test::is_grey(jugs.image().at(x, 0)));
@@ -113,7 +113,7 @@ TEST_F(ThesisScenes, ShowThreeJugs) {
 // A metal's reflection of the environment map is darker than the brightest texel; beside the jug the map
 // itself is visible.
 TEST_F(ThesisScenes, ShowAJugInItsEnvironment) {
-  const test::Picture jug = rendered("jug", "24x16");
+  const test::CameraImage jug = rendered("jug", "24x16");
   grf::Diagnostics diagnostics;
   const auto map = transport::read_image(Samples + "environments/studio.exr", diagnostics);
   ASSERT_TRUE(map) << diagnostics.to_text();

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "converters/brdf_parts.h"
+#include "converters/brdf_lobes.h"
 #include "converters/format.h"
 #include "tests/support/generated_document.h"
 
@@ -55,7 +55,7 @@ TEST(FormatsDocument, SaysWhatThePartsOfBrdfsAre) {
   std::string table = "| BRDF | diffuse lobe m | glossy lobe g | exponent h of g |\n|---|---|---|---|\n";
   for (const BrdfRule& rule : brdf_rules()) {
     table +=
-        fmt::format("| {} | {} | {} | {} |\n", code(rule.keyword), rule.matte, rule.glossy, rule.exponent);
+        fmt::format("| {} | {} | {} | {} |\n", code(rule.keyword), rule.diffuse, rule.glossy, rule.exponent);
   }
   expect_table("BRDFs", table);
 }

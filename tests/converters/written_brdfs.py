@@ -58,6 +58,6 @@ def colour(value):
     return "{" + ", ".join(f"{v:.8g}" for v in values) + "}"
 
 
-for brdf, matte, glossy, exponent in rows():
+for brdf, diffuse, glossy, exponent in rows():
     written = "MirrorExponent" if exponent == inf else f"{exponent:.8g}"
-    print(f'      {{"{brdf}", {colour(matte)}, {colour(glossy)}, {written}}},')
+    print(f'      {{"{brdf}", {colour(diffuse)}, {colour(glossy)}, {written}}},')

@@ -16,7 +16,7 @@
 
 #include "grf/read.h"
 #include "grf/write.h"
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/reflector.h"
 #include "renderer/reflectance/scheme.h"
 #include "tests/converters/reading.h"
@@ -31,7 +31,7 @@ constexpr double MirrorExponent = std::numeric_limits<double>::infinity();
 /// A BRDF with its diffuse lobe, its glossy lobe and the Blinn-Phong exponent.
 struct WrittenBrdf {
   std::string brdf;
-  grf::Vec3d matte;
+  grf::Vec3d diffuse;
   grf::Vec3d glossy;
   double exponent = 0;
 };
@@ -119,13 +119,13 @@ void expect_colour(const std::vector<double>& written, const grf::Vec3d& expecte
 TEST(WrittenBrdfs, OfMtlAreTheNumbersOfTheTable) {
   for (const WrittenBrdf& row : written_brdfs()) {
     auto mtl = written_mtl(row.brdf);
-    expect_colour(mtl["Kd"], row.matte, row.brdf + " Kd");
+    expect_colour(mtl["Kd"], row.diffuse, row.brdf + " Kd");
     expect_colour(mtl["Ks"], row.glossy, row.brdf + " Ks");
     const bool is_mirror = std::isinf(row.exponent);
-    const bool is_matte = row.glossy == grf::Vec3d(0);
+    const bool is_diffuse = row.glossy == grf::Vec3d(0);
     ASSERT_EQ(mtl["illum"].size(), 1U) << row.brdf;
-    EXPECT_EQ(mtl["illum"][0], is_matte ? 1 : is_mirror ? 3 : 2) << row.brdf;
-    if (is_matte) continue;
+    EXPECT_EQ(mtl["illum"][0], is_diffuse ? 1 : is_mirror ? 3 : 2) << row.brdf;
+    if (is_diffuse) continue;
     ASSERT_EQ(mtl["Ns"].size(), 1U) << row.brdf;
     EXPECT_NEAR(mtl["Ns"][0], is_mirror ? 1000 : row.exponent / 4, 1e-5 * row.exponent) << row.brdf;
   }
@@ -148,15 +148,15 @@ TEST(WrittenBrdfs, OfGltfReflectWhatTheTableHas) {
     const json material = written_gltf(row.brdf);
     const json& values = material["pbrMetallicRoughness"];
     const double metallic = values["metallicFactor"];
-    const bool is_matte = row.glossy == grf::Vec3d(0);
-    const double roughness = is_matte                   ? 1
+    const bool is_diffuse = row.glossy == grf::Vec3d(0);
+    const double roughness = is_diffuse                 ? 1
                              : std::isinf(row.exponent) ? 0
                                                         : std::pow(2 / (row.exponent + 2), 0.25);
     EXPECT_NEAR(values["roughnessFactor"].get<double>(), roughness, 1e-5) << row.brdf;
     const bool has_no_highlight =
         material.contains("extensions") &&
         material["extensions"]["KHR_materials_specular"]["specularFactor"] == json(0);
-    EXPECT_EQ(has_no_highlight, is_matte) << row.brdf;
+    EXPECT_EQ(has_no_highlight, is_diffuse) << row.brdf;
     const int brightest = row.glossy.x >= row.glossy.y && row.glossy.x >= row.glossy.z ? 0
                           : row.glossy.y >= row.glossy.z                               ? 1
                                                                                        : 2;
@@ -164,15 +164,15 @@ TEST(WrittenBrdfs, OfGltfReflectWhatTheTableHas) {
       const double base = values["baseColorFactor"].at(static_cast<std::size_t>(i));
       const double facet = 0.04 * (1 - metallic) + base * metallic;
       const double under = base * (1 - metallic);
-      const double expected_under = row.matte[i] / (1 - row.glossy[i]);
+      const double expected_under = row.diffuse[i] / (1 - row.glossy[i]);
       // The sum of both is exact in each channel.
-      if (!is_matte && metallic > 0) {
+      if (!is_diffuse && metallic > 0) {
         const double expected = expected_under + row.glossy[i] - 0.04 * (1 - metallic);
         EXPECT_NEAR(base, expected, 2e-4) << row.brdf << ' ' << i;
       }
-      if (i != brightest && !is_matte) continue;
-      EXPECT_NEAR(under, is_matte ? row.matte[i] : expected_under, 2e-4) << row.brdf << ' ' << i;
-      if (is_matte || row.glossy[i] <= 0.04) continue;
+      if (i != brightest && !is_diffuse) continue;
+      EXPECT_NEAR(under, is_diffuse ? row.diffuse[i] : expected_under, 2e-4) << row.brdf << ' ' << i;
+      if (is_diffuse || row.glossy[i] <= 0.04) continue;
       EXPECT_NEAR(facet, row.glossy[i], 2e-4) << row.brdf << ' ' << i;
     }
   }
@@ -249,7 +249,7 @@ SpherePicture picture_of(const reflectance::Reflector& reflector) {
     grf::Vec3d sky(0);
     grf::Vec3d lamp(0);
     for (int i = 0; i < Samples; ++i) {
-      const auto drawn = reflector.sample(view, reflectance::even_point(static_cast<std::uint32_t>(i)));
+      const auto drawn = reflector.sample(view, reflectance::halton_point(static_cast<std::uint32_t>(i)));
       if (!drawn) continue;
       const Imath::V3f& d = drawn->direction;
       const grf::Vec3d weight(drawn->weight);
@@ -319,7 +319,7 @@ TEST(WrittenBrdfs, AreThoseOfEachModel) {
   std::set<std::string> models;
   for (const WrittenBrdf& row : written_brdfs()) models.insert(keyword_of(row));
   for (const grf::ModelInfo& model : reflectance::catalogue().brdfs) {
-    if (model.takes != grf::ModelInfo::Takes::Parameters) continue;
+    if (model.argument_kind != grf::ModelInfo::ArgumentKind::Parameters) continue;
     EXPECT_EQ(models.erase(std::string(model.keyword)), 1U) << model.keyword << " has no row";
   }
   EXPECT_TRUE(models.empty());

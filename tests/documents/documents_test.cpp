@@ -171,7 +171,7 @@ std::string code_block(std::string_view text) {
 
 std::string model_section(const grf::ModelInfo& model) {
   std::string text = fmt::format("### {}: {}\n\n", model.keyword, model.title);
-  if (!model.about.empty()) text += fmt::format("{}\n\n", model.about);
+  if (!model.description.empty()) text += fmt::format("{}\n\n", model.description);
   if (!model.example.empty()) text += picture_of(model) + "\n";
   if (!model.formula.empty()) text += code_block(model.formula);
   if (!model.parameters.empty()) text += parameter_rows(model) + "\n";
@@ -206,7 +206,7 @@ std::string refusals_of(const grf::ModelInfo& scheme_info) {
     grf::Diagnostics diagnostics;
     const auto brdf =
         reflectance::make_brdf(grf::read_brdf(std::string(model.example), "example", diagnostics).value());
-    const std::string reason = reflectance::refusal(scheme.value(), brdf.value());
+    const std::string reason = reflectance::unsupported_reason(scheme.value(), brdf.value());
     if (reason.empty()) continue;
     auto known = std::find_if(refused.begin(), refused.end(),
                               [&](const auto& entry) { return entry.first == reason; });
@@ -224,10 +224,10 @@ std::string refusals_of(const grf::ModelInfo& scheme_info) {
 std::string scheme_section(const grf::ModelInfo& info) {
   grf::Model named;
   named.keyword = info.keyword;
-  std::string text =
-      fmt::format("\n## {}: {}\n\n{}\n\n{}\n", info.keyword, info.title, info.about, parameter_rows(info));
+  std::string text = fmt::format("\n## {}: {}\n\n{}\n\n{}\n", info.keyword, info.title, info.description,
+                                 parameter_rows(info));
   text += refusals_of(info);
-  text += reflectance::may_miss(reflectance::make_scheme(named).value())
+  text += reflectance::is_incomplete(reflectance::make_scheme(named).value())
               ? "- Its pdf may be 0 where a BRDF reflects light: such BRDFs are sampled by a mixture with "
                 "the cosine.\n"
               : "- Its pdf is above 0 wherever a BRDF reflects light.\n";
@@ -256,7 +256,7 @@ TEST(Documents, SchemesAreThoseOfTheCatalogue) { expect_generated("renderer/SAMP
 
 TEST(Documents, EverySchemeIsExplained) {
   for (const grf::ModelInfo& info : reflectance::scheme_infos()) {
-    EXPECT_FALSE(info.about.empty()) << info.keyword;
+    EXPECT_FALSE(info.description.empty()) << info.keyword;
     for (const grf::ParameterInfo& parameter : info.parameters) {
       EXPECT_FALSE(parameter.help.empty()) << info.keyword << " " << parameter.name;
     }
@@ -268,7 +268,7 @@ TEST(Documents, EveryModelIsExplainedAndHasItsPicture) {
   const std::string scene = test::bytes_of(GRANADA_SOURCE_DIR "/samples/models/models.grf");
   std::ptrdiff_t pictures = 0;
   for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
-    EXPECT_FALSE(model.about.empty()) << model.keyword;
+    EXPECT_FALSE(model.description.empty()) << model.keyword;
     if (model.example.empty()) continue;
     EXPECT_TRUE(model.example.starts_with(model.keyword)) << model.example;
     EXPECT_FALSE(model.formula.empty()) << model.keyword;

@@ -174,17 +174,17 @@ TEST(PartOfAMesh, HasTheFacesAndTheVerticesThatTheyUse) {
                        "(0, 1, 2) brdf ward (1, 0, 3, 2) "
                        "end end"));
   const std::uint32_t faces[] = {3, 1};
-  EXPECT_EQ(part_of(mesh, faces), expected);
+  EXPECT_EQ(submesh(mesh, faces), expected);
 }
 
 TEST(PartOfAMesh, OfNoFacesIsEmpty) {
-  EXPECT_EQ(part_of(mesh_of(scene_of(triangle("\"a\" brdf ward"))), {}), Mesh());
+  EXPECT_EQ(submesh(mesh_of(scene_of(triangle("\"a\" brdf ward"))), {}), Mesh());
 }
 
 TEST(PartOfAMesh, OfAllFacesIsTheMesh) {
   const Mesh mesh = mesh_of(scene_of(triangle("brdf ward", "(0, 1, 2) rgb (1, 0, 0)")));
   const std::uint32_t faces[] = {0, 1};
-  EXPECT_EQ(part_of(mesh, faces), mesh);
+  EXPECT_EQ(submesh(mesh, faces), mesh);
 }
 
 }  // namespace

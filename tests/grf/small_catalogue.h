@@ -36,7 +36,7 @@ inline const Catalogue& catalogue() {
     cosine.parameters = {parameter("n", ParameterKind::Number, 100), mode};
     ModelInfo combine;
     combine.keyword = "combine";
-    combine.takes = ModelInfo::Takes::Terms;
+    combine.argument_kind = ModelInfo::ArgumentKind::Terms;
     return Catalogue{{glossy, flat, combine}, {cosine}};
   }();
   return known;

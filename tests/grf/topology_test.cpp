@@ -37,11 +37,11 @@ TEST(Topology, FindsEdgesBetweenPlacesOrVertices) {
   two_squares.add_face(std::array{4U, 5U, 6U, 7U});
   const auto count = [&](const std::vector<std::uint32_t>& places) {
     std::size_t edges = 0;
-    for_each_edge(edges_of_faces(two_squares, places), [&](std::span<const FaceEdge>) { ++edges; });
+    for_each_edge(half_edges_of(two_squares, places), [&](std::span<const HalfEdge>) { ++edges; });
     return edges;
   };
   EXPECT_EQ(count({}), 8U);
-  EXPECT_EQ(count(first_at_place(two_squares)), 7U);
+  EXPECT_EQ(count(first_at_position(two_squares)), 7U);
 }
 
 TEST(Topology, CountsHolesAsLoops) {

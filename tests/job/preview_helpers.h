@@ -11,7 +11,7 @@
 
 #include "grf/read.h"
 #include "renderer/job/preview_render.h"
-#include "tests/support/picture.h"
+#include "tests/support/camera_image.h"
 
 namespace test {
 
@@ -75,7 +75,7 @@ inline job::PreviewRequest request(grf::Scene scene, int width = 96, int height 
   request.scene = std::move(scene);
   request.options.size = {width, height};
   request.options.samples = samples;
-  request.options.viewer = grf::Vec3f(0, 2, 6);
+  request.options.eye = grf::Vec3f(0, 2, 6);
   request.options.target = grf::Vec3f(0, 0.5F, 0);
   return request;
 }
@@ -85,7 +85,7 @@ inline job::PreviewRequest request(grf::Scene scene, int width = 96, int height 
 /// diffuse part reflects 0.4 times 5 times that, and the glossy part and the wall add less than 0.3 + 0.3 * 5
 /// * 0.123.
 inline transport::Rgb floor_of_corner(const transport::Image& image) {
-  return Picture(image, {0, 2, 6}, {0, 0.5, 0}, 45).at(grf::Vec3d(0));
+  return CameraImage(image, {0, 2, 6}, {0, 0.5, 0}, 45).at(grf::Vec3d(0));
 }
 inline void expect_lit_corner(const transport::Image& image) {
   const transport::Rgb floor = floor_of_corner(image);
@@ -96,7 +96,7 @@ inline void expect_lit_corner(const transport::Image& image) {
 }
 
 /// Records the callbacks of a preview, and can wait for them.
-class Heard {
+class PreviewRecorder {
  public:
   struct Event {
     std::shared_ptr<const transport::Image> image;
@@ -119,7 +119,7 @@ class Heard {
   }
 
   /// Waits up to a minute for a request to reach a state; returns whether it did.
-  bool comes_to(int number, job::PreviewState state) {
+  bool reaches(int number, job::PreviewState state) {
     return wait([&] { return !states_[number].empty() && states_[number].back() == state; });
   }
   bool shows(int number, std::size_t images = 1) {

@@ -6,7 +6,7 @@
 
 #include "renderer/job/render_job.h"
 #include "tests/job/preview_helpers.h"
-#include "tests/support/picture.h"
+#include "tests/support/camera_image.h"
 #include "tests/support/samples.h"
 #include "tests/support/temporary_folder.h"
 
@@ -39,7 +39,7 @@ PreviewRequest sample_request(const std::string& path) {
   auto scene = job::read_scene(request.options, diagnostics);
   if (!scene) throw std::runtime_error(diagnostics.to_text());
   request.scene = std::move(*scene);
-  request.options.viewer = grf::Vec3f(278, 273, -800);
+  request.options.eye = grf::Vec3f(278, 273, -800);
   request.options.target = grf::Vec3f(278, 273, 0);
   request.options.field_of_view = 39.3076F;
   return request;
@@ -47,69 +47,69 @@ PreviewRequest sample_request(const std::string& path) {
 
 TEST(Preview, BeginsCoarseAndEndsWithTheImageOfTheRender) {
   const PreviewRequest request = sample_request("cornell_box/cornell_box.grf");
-  test::Heard heard;
-  PreviewRender preview(heard.listener());
+  test::PreviewRecorder recorder;
+  PreviewRender preview(recorder.listener());
   const int number = preview.start(request);
-  ASSERT_TRUE(heard.comes_to(number, PreviewState::Done)) << heard.text(number);
-  const auto images = heard.images(number);
+  ASSERT_TRUE(recorder.reaches(number, PreviewState::Done)) << recorder.text(number);
+  const auto images = recorder.images(number);
   ASSERT_GE(images.size(), 3U);
   EXPECT_EQ(images.front().image->width, 12 * 2) << "an eighth would be too small";
   EXPECT_EQ(images.front().progress.done, 0);
   EXPECT_EQ(images.back().image->pixels, rendered(request.options).pixels);
   EXPECT_EQ(images.back().progress.done, 1);
-  for (const test::Heard::Event& shown : images) test::expect_cornell_box(*shown.image);
+  for (const test::PreviewRecorder::Event& shown : images) test::expect_cornell_box(*shown.image);
 }
 
 TEST(Preview, GoesOnAfterAPauseAsThoughThereHadBeenNone) {
   const PreviewRequest request = test::request(test::scene_of_text(test::Corner), 96, 72, 150);
-  test::Heard heard;
-  PreviewRender preview(heard.listener());
+  test::PreviewRecorder recorder;
+  PreviewRender preview(recorder.listener());
   const int number = preview.start(request);
-  ASSERT_TRUE(heard.shows(number, 3));
+  ASSERT_TRUE(recorder.shows(number, 3));
   preview.pause();
-  ASSERT_TRUE(heard.comes_to(number, PreviewState::Paused));
-  const std::size_t images = heard.images(number).size();
+  ASSERT_TRUE(recorder.reaches(number, PreviewState::Paused));
+  const std::size_t images = recorder.images(number).size();
   preview.resume();
-  ASSERT_TRUE(heard.comes_to(number, PreviewState::Done));
-  EXPECT_GT(heard.images(number).size(), images);
+  ASSERT_TRUE(recorder.reaches(number, PreviewState::Done));
+  EXPECT_GT(recorder.images(number).size(), images);
   const int undisturbed = preview.start(request);
-  ASSERT_TRUE(heard.comes_to(undisturbed, PreviewState::Done));
-  EXPECT_EQ(heard.images(number).back().image->pixels, heard.images(undisturbed).back().image->pixels);
-  test::expect_lit_corner(*heard.images(number).back().image);
+  ASSERT_TRUE(recorder.reaches(undisturbed, PreviewState::Done));
+  EXPECT_EQ(recorder.images(number).back().image->pixels, recorder.images(undisturbed).back().image->pixels);
+  test::expect_lit_corner(*recorder.images(number).back().image);
 }
 
 TEST(Preview, ShowsWhatWasStartedLast) {
   PreviewRequest request = test::request(test::scene_of_text(test::Corner), 96, 72, 100'000);
-  test::Heard heard;
-  PreviewRender preview(heard.listener());
+  test::PreviewRecorder recorder;
+  PreviewRender preview(recorder.listener());
   int number = 0;
   for (int i = 0; i < 30; ++i) {
     const float red = static_cast<float>(i) / 58;
     test::first_mesh(request.scene).edit().surfaces[0].colour = grf::Colour(red, 1, 1);
     number = preview.start(request);
     if (i % 3 == 0) {
-      ASSERT_TRUE(heard.shows(number)) << heard.text(number);
+      ASSERT_TRUE(recorder.shows(number)) << recorder.text(number);
     }
     if (i % 7 == 0) preview.pause();
   }
-  ASSERT_TRUE(heard.shows(number, 5));
+  ASSERT_TRUE(recorder.shows(number, 5));
   // Each bounce halves red: the floor reflects direct light once, and indirect light more often.
-  const transport::Rgb floor = test::floor_of_corner(*heard.images(number).back().image);
+  const transport::Rgb floor = test::floor_of_corner(*recorder.images(number).back().image);
   EXPECT_EQ(floor.y, floor.z);
   EXPECT_LE(floor.x, 0.5001F * floor.y);
   EXPECT_GT(floor.x, 0.4F * floor.y);
   preview.stop();
   request.options.samples = 1;
-  ASSERT_TRUE(heard.comes_to(preview.start(request), PreviewState::Done));
+  ASSERT_TRUE(recorder.reaches(preview.start(request), PreviewState::Done));
 }
 
 TEST(Preview, EndsAtOnce) {
-  test::Heard heard;
+  test::PreviewRecorder recorder;
   double least = 1e9;
   for (int i = 0; i < 5; ++i) {
-    auto preview = std::make_unique<PreviewRender>(heard.listener());
+    auto preview = std::make_unique<PreviewRender>(recorder.listener());
     const int number = preview->start(test::request(test::waves(100), 800, 600, 100'000));
-    ASSERT_TRUE(heard.shows(number, 4 + 4 * static_cast<std::size_t>(i)));
+    ASSERT_TRUE(recorder.shows(number, 4 + 4 * static_cast<std::size_t>(i)));
     const auto start = Clock::now();
     preview.reset();
     least = std::min(least, milliseconds_between(start, Clock::now()));
@@ -123,27 +123,27 @@ TEST(Preview, EndsAtOnce) {
 TEST(Preview, SaysWhyThereIsNone) {
   PreviewRequest request = test::request(test::scene_of_text(test::Corner));
   request.options.environment = "no_sky.exr";
-  test::Heard heard;
-  PreviewRender preview(heard.listener());
+  test::PreviewRecorder recorder;
+  PreviewRender preview(recorder.listener());
   const int number = preview.start(request);
-  ASSERT_TRUE(heard.comes_to(number, PreviewState::Failed));
-  EXPECT_THAT(heard.text(number), HasSubstr("no_sky.exr"));
-  EXPECT_TRUE(heard.images(number).empty());
+  ASSERT_TRUE(recorder.reaches(number, PreviewState::Failed));
+  EXPECT_THAT(recorder.text(number), HasSubstr("no_sky.exr"));
+  EXPECT_TRUE(recorder.images(number).empty());
 }
 
 /// Returns the minimum latency from an edit to the first new image, in ms; other programs run too.
 template <class Edit>
 double least_restart(PreviewRequest request, const Edit& edit) {
-  test::Heard heard;
-  PreviewRender preview(heard.listener());
-  heard.shows(preview.start(request), 4);
+  test::PreviewRecorder recorder;
+  PreviewRender preview(recorder.listener());
+  recorder.shows(preview.start(request), 4);
   double least = 1e9;
   for (int i = 1; i <= 8; ++i) {
     edit(request, static_cast<float>(i) / 8);
     const auto start = Clock::now();
     const int number = preview.start(request);
-    if (!heard.shows(number)) throw std::runtime_error(heard.text(number));
-    least = std::min(least, milliseconds_between(start, heard.images(number).front().time));
+    if (!recorder.shows(number)) throw std::runtime_error(recorder.text(number));
+    least = std::min(least, milliseconds_between(start, recorder.images(number).front().time));
   }
   return least;
 }
@@ -151,7 +151,7 @@ double least_restart(PreviewRequest request, const Edit& edit) {
 void edit_surface(PreviewRequest& request, float amount) {
   test::first_mesh(request.scene).edit().surfaces[0].colour = grf::Colour(amount, 1, 1);
 }
-void edit_view(PreviewRequest& request, float amount) { request.options.viewer->x += amount; }
+void edit_view(PreviewRequest& request, float amount) { request.options.eye->x += amount; }
 void edit_shape(PreviewRequest& request, float amount) {
   grf::Mesh& mesh = test::first_mesh(request.scene).edit();
   grf::Geometry geometry = *mesh.geometry;

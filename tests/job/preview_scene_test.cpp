@@ -27,7 +27,7 @@ class PreviewSceneTest : public testing::Test {
 TEST_F(PreviewSceneTest, CompilesNothingWhereTheViewAloneChanges) {
   PreviewRequest request = test::request(test::scene_of_text(test::Corner));
   ASSERT_TRUE(prepare(request)) << diagnostics_.to_text();
-  request.options.viewer = grf::Vec3f(1, 2, 5);
+  request.options.eye = grf::Vec3f(1, 2, 5);
   request.options.size = {40, 30};
   request.options.samples = 3;
   request.scene = test::scene_of_text(test::Corner);  // equal, and another one
@@ -35,7 +35,7 @@ TEST_F(PreviewSceneTest, CompilesNothingWhereTheViewAloneChanges) {
   request.view = transport::View{.eye = grf::Vec3d(2, 2, 2)};
   ASSERT_TRUE(prepare(request));
   EXPECT_EQ(scene_.compilations(), 1);
-  request.options.name = "hemisphere";
+  request.options.scheme = "hemisphere";
   ASSERT_TRUE(prepare(request)) << diagnostics_.to_text();
   EXPECT_EQ(scene_.compilations(), 2) << "another sampling scheme has other tables";
 }

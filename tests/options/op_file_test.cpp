@@ -58,7 +58,7 @@ TEST_F(OpFile, SetsEveryOption) {
   EXPECT_EQ(read_options->scene, folder_.path("scene.grf"));
   EXPECT_EQ(read_options->output, folder_.path("my image.png"));
   EXPECT_EQ(read_options->size, (options::ImageSize{640, 480}));
-  EXPECT_EQ(read_options->viewer, grf::Vec3f(1, 2, -3.5F));
+  EXPECT_EQ(read_options->eye, grf::Vec3f(1, 2, -3.5F));
   EXPECT_EQ(read_options->target, grf::Vec3f(0, 1, 1e-3F));
   EXPECT_EQ(read_options->up, grf::Vec3f(0, 0, 1));
   EXPECT_EQ(read_options->field_of_view, 60);
@@ -166,7 +166,7 @@ TEST_F(OpFile, TakesTheOpFileOfTheThesis) {
   ASSERT_TRUE(read_options) << diagnostics_.to_text();
   EXPECT_EQ(read_options->pixel_samples, (options::IntegerPair{1, 2}));
   EXPECT_EQ(read_options->secondary_rays_root, 100);
-  EXPECT_EQ(read_options->samples_a_pixel(), 20000) << "about what it cost then";
+  EXPECT_EQ(read_options->samples_per_pixel(), 20000) << "about what it cost then";
   EXPECT_FALSE(read_options->pixel_radial || read_options->ray_casting || read_options->shows_window);
   EXPECT_TRUE(read_options->pixel_random);
 }

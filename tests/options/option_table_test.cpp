@@ -114,16 +114,16 @@ TEST(OptionTable, WordsOfAnOptionSetItAgain) {
 
 TEST(OptionTable, SamplesFollowFromThoseOfTheThesis) {
   RenderOptions render_options;
-  EXPECT_EQ(render_options.samples_a_pixel(), 100);
+  EXPECT_EQ(render_options.samples_per_pixel(), 100);
   render_options.pixel_samples = {2, 3};
   render_options.secondary_rays_root = 4;
-  EXPECT_EQ(render_options.samples_a_pixel(), 96);
+  EXPECT_EQ(render_options.samples_per_pixel(), 96);
   render_options.samples = 7;
-  EXPECT_EQ(render_options.samples_a_pixel(), 7);
+  EXPECT_EQ(render_options.samples_per_pixel(), 7);
   render_options = {};
   render_options.pixel_samples = {4096, 4096};
   render_options.secondary_rays_root = 10000;
-  EXPECT_EQ(render_options.samples_a_pixel(), std::numeric_limits<int>::max());
+  EXPECT_EQ(render_options.samples_per_pixel(), std::numeric_limits<int>::max());
 }
 
 /// Returns the default of a parameter of a scheme.
@@ -147,9 +147,9 @@ TEST(OptionTable, DefaultsOfSchemesAreTheirOwn) {
     }
     if (option.values == "path") continue;
     RenderOptions render_options;
-    render_options.name = option.key.starts_with("BPT_QT_")     ? "Disk"
-                          : option.key.starts_with("BPT_Pdf_C") ? "CascadeCDF"
-                                                                : "Factored";
+    render_options.scheme = option.key.starts_with("BPT_QT_")     ? "Disk"
+                            : option.key.starts_with("BPT_Pdf_C") ? "CascadeCDF"
+                                                                  : "Factored";
     ASSERT_EQ(options::set_option(render_options, option, words_of(option.default_value)), std::nullopt)
         << option.key;
     const auto model = options::scheme_model(render_options);

@@ -113,7 +113,7 @@ TEST_F(SchemeModel, KnowsWhatIsUnusedBeforeItIsGiven) {
     return options::why_unused(given, *options::find_option(key)).value_or("");
   };
   RenderOptions given;
-  given.name = "CascadeCDF";
+  given.scheme = "CascadeCDF";
   EXPECT_EQ(why(given, "BPT_QT_avgnmax"), "the scheme 'cascadeCDF' does not use it");
   EXPECT_EQ(why(given, "BPT_Pdf_CDF_Res"), "");
   EXPECT_EQ(why(given, "BPT_EM_Projection"), "no BPT_EM_Background is given");

@@ -31,7 +31,7 @@ TEST(LobeCurve, IsWhatTheBrdfIs) {
       for (std::size_t i = 0; i < curve.degrees.size(); i += 37) {
         EXPECT_EQ(curve.values[i], reflectance::evaluate(brdf, u, direction_at(curve.degrees[i])));
       }
-      EXPECT_EQ(curve.mirror, reflectance::mirror(brdf, u));
+      EXPECT_EQ(curve.specular_weight, reflectance::specular_weight(brdf, u));
     }
   }
 }
@@ -71,13 +71,13 @@ TEST(LobeChart, HasTheValuesThatAreAskedFor) {
 TEST(LobeChart, HasMirrorPartsAsLines) {
   const std::vector<LobeCurve> curves = curves_of(brdf_of("specular ks=0.25"), {40});
   Chart chart = lobe_chart(curves, {Channel::Luminance, false, false});
-  add_mirror_lines(chart, curves, Channel::Luminance);
+  add_specular_lines(chart, curves, Channel::Luminance);
   const Series& line = chart.series.back();
   EXPECT_EQ(line.points.front(), Point(40, 0));
   EXPECT_NEAR(line.points.back().y, 0.25, 1e-6);
   const PolarChart polar = polar_lobe_chart(curves, {Channel::Luminance, false, false});
-  ASSERT_EQ(polar.shares.size(), 1U);
-  EXPECT_NEAR(polar.shares[0].points.back().y, 0.25, 1e-6);
+  ASSERT_EQ(polar.fractions.size(), 1U);
+  EXPECT_NEAR(polar.fractions[0].points.back().y, 0.25, 1e-6);
 }
 
 TEST(LobeChart, HasDensitiesInTheColoursOfTheirViews) {
@@ -89,7 +89,7 @@ TEST(LobeChart, HasDensitiesInTheColoursOfTheirViews) {
   EXPECT_EQ(chart.series[2].colour, colour_of_series(1));
   EXPECT_FALSE(chart.series[2].dashes.empty());
   EXPECT_EQ(chart.series[2].points[9].y,
-            reflector.density(direction_at(-30), direction_at(curves[1].degrees[9])));
+            reflector.pdf(direction_at(-30), direction_at(curves[1].degrees[9])));
 }
 
 TEST(PolarScale, HasRoundRingsUpToTheHighestValue) {
@@ -98,15 +98,15 @@ TEST(PolarScale, HasRoundRingsUpToTheHighestValue) {
   const PolarScale linear(chart);
   ASSERT_EQ(linear.rings().size(), 3U);
   EXPECT_NEAR(linear.outermost(), 0.3, 1e-12);
-  EXPECT_NEAR(linear.share(0.15), 0.5, 1e-12);
-  EXPECT_EQ(linear.share(7), 1) << "cut";
+  EXPECT_NEAR(linear.fraction(0.15), 0.5, 1e-12);
+  EXPECT_EQ(linear.fraction(7), 1) << "cut";
   chart.series[0].points[1].y = 100;
   chart.is_logarithmic = true;
   const PolarScale logarithmic(chart);
   ASSERT_EQ(logarithmic.rings().size(), 5U);
   EXPECT_NEAR(logarithmic.rings().front(), 0.01, 1e-12);
-  EXPECT_NEAR(logarithmic.share(1), 0.6, 1e-12);
-  EXPECT_EQ(logarithmic.share(0), 0);
+  EXPECT_NEAR(logarithmic.fraction(1), 0.6, 1e-12);
+  EXPECT_EQ(logarithmic.fraction(0), 0);
 }
 
 }  // namespace

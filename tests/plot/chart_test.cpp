@@ -18,7 +18,7 @@ using testing::Contains;
 using testing::IsSupersetOf;
 using testing::Not;
 
-constexpr plot::Place Whole = {{0, 0}, 400, 300};
+constexpr plot::Rectangle Whole = {{0, 0}, 400, 300};
 
 template <class AnyChart>
 test::Element drawn(const AnyChart& chart) {
@@ -123,12 +123,14 @@ TEST(Chart, NamesItsLinesWhereThereAreSeveral) {
 }
 
 TEST(Apart, LeavesWhatHasPlaceAndSpreadsTheRest) {
-  EXPECT_EQ(plot::apart({50, 10, 90}, 15, 0, 100), (std::vector<double>{50, 10, 90}));
-  EXPECT_EQ(plot::apart({50, 50}, 10, 0, 100), (std::vector<double>{45, 55})) << "on both sides";
-  EXPECT_EQ(plot::apart({99, 98, 97}, 10, 0, 100), (std::vector<double>{100, 90, 80})) << "not over the end";
-  EXPECT_EQ(plot::apart({-5, 3}, 10, 0, 100), (std::vector<double>{0, 10}));
-  EXPECT_EQ(plot::apart({5, 5, 5}, 10, 0, 15), (std::vector<double>{0, 10, 20})) << "rather out than over";
-  EXPECT_TRUE(plot::apart({}, 10, 0, 100).empty());
+  EXPECT_EQ(plot::spread_labels({50, 10, 90}, 15, 0, 100), (std::vector<double>{50, 10, 90}));
+  EXPECT_EQ(plot::spread_labels({50, 50}, 10, 0, 100), (std::vector<double>{45, 55})) << "on both sides";
+  EXPECT_EQ(plot::spread_labels({99, 98, 97}, 10, 0, 100), (std::vector<double>{100, 90, 80}))
+      << "not over the end";
+  EXPECT_EQ(plot::spread_labels({-5, 3}, 10, 0, 100), (std::vector<double>{0, 10}));
+  EXPECT_EQ(plot::spread_labels({5, 5, 5}, 10, 0, 15), (std::vector<double>{0, 10, 20}))
+      << "rather out than over";
+  EXPECT_TRUE(plot::spread_labels({}, 10, 0, 100).empty());
 }
 
 TEST(Chart, PutsNamesBesideTheEndsOfTheirLines) {
@@ -175,7 +177,7 @@ TEST(PolarChart, CutsLongLinesWithAWord) {
   for (const auto& line : test::lines(svg)) {
     for (const plot::Point& point : line) EXPECT_GT(point.y, 0);
   }
-  chart.shares = {{{}, {{60, 0}, {60, 0.5}}, {}, "5 3"}};
+  chart.fractions = {{{}, {{60, 0}, {60, 0.5}}, {}, "5 3"}};
   chart.series = {{"one", {{60, 2}}, {}, {}}, {"two", {{60, 4}}, {}, {}}};
   const auto lines = test::lines(drawn(chart));
   EXPECT_NEAR((lines.at(2).back() - lines.at(0).back()).length(), 0, 0.02) << "half of the outermost ring";

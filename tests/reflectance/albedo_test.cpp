@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/reflectance/albedo.h"
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 
 namespace {
 
@@ -24,7 +24,7 @@ TEST(EvenPoints, FillEveryBoxAlike) {
   constexpr int Count = 30000;
   std::array<int, 64> boxes = {};
   for (std::uint32_t i = 0; i < Count; ++i) {
-    const reflectance::Uniforms point = reflectance::even_point(i);
+    const reflectance::Uniforms point = reflectance::halton_point(i);
     std::size_t box = 0;
     for (const float x : {point.direction.x, point.direction.y, point.choice}) {
       ASSERT_TRUE(x >= 0 && x < 1);
@@ -33,7 +33,7 @@ TEST(EvenPoints, FillEveryBoxAlike) {
     ++boxes[box];
   }
   for (const int count : boxes) EXPECT_NEAR(count, Count / 64.0, 12);
-  const reflectance::Uniforms last = reflectance::even_point(0xfffffffeU);
+  const reflectance::Uniforms last = reflectance::halton_point(0xfffffffeU);
   EXPECT_TRUE(last.direction.x < 1 && last.direction.y < 1 && last.choice < 1);
 }
 
@@ -96,7 +96,8 @@ TEST(LargestAlbedo, IsAtMostOneWhereNothingIsGained) {
 
 TEST(LargestAlbedo, IsKnownToTheCatalogue) {
   for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
-    if (model.takes != grf::ModelInfo::Takes::Parameters) continue;  // without data or terms it is black
+    if (model.argument_kind != grf::ModelInfo::ArgumentKind::Parameters)
+      continue;  // without data or terms it is black
     ASSERT_NE(model.largest_albedo, nullptr) << model.keyword;
     grf::Model defaults;
     defaults.keyword = model.keyword;

@@ -125,7 +125,7 @@ std::vector<std::string> extreme_cases() {
     if (is_right(text)) cases.push_back(text);
   };
   for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
-    if (model.takes != grf::ModelInfo::Takes::Parameters) continue;
+    if (model.argument_kind != grf::ModelInfo::ArgumentKind::Parameters) continue;
     for (const bool maximum : {false, true}) {
       add(instance(model, "", maximum));
       for (const grf::ParameterInfo& parameter : model.parameters) {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/reflector.h"
 #include "renderer/reflectance/schemes/cumulative.h"
 #include "tests/reflectance/brdf_cases.h"
@@ -15,8 +15,8 @@ namespace {
 
 using reflectance::Brdf;
 using reflectance::CascadeTables;
+using reflectance::CdfPosition;
 using reflectance::cumulative;
-using reflectance::CurvePlace;
 using reflectance::DirectionGrid;
 using reflectance::inverted;
 using reflectance::Vec3f;
@@ -42,7 +42,7 @@ TEST(Inversion, TakesACurvesValueBackToItsPlace) {
   float before = -1;
   for (int i = 0; i < 1000; ++i) {
     const float xi = static_cast<float>(i) / 1000;
-    const CurvePlace place = inverted(curve, xi);
+    const CdfPosition place = inverted(curve, xi);
     ASSERT_GT(masses[place.cell], 0);
     ASSERT_GE(place.fraction, 0);
     ASSERT_LE(place.fraction, 1);
@@ -103,7 +103,7 @@ double mass_over_half_vectors(const CascadeTables& tables, const Vec3f& u) {
   double mass = 0;
   for (std::size_t i = 0; i < 64 * 64; ++i) {
     const Vec3f h = grid.direction(i / 64, i / 64 + 1, 0.5F, static_cast<float>(i % 64) + 0.5F);
-    mass += tables.half_density(u, h) * grid.solid_angle(i / 64, i / 64 + 1, 1);
+    mass += tables.half_pdf(u, h) * grid.solid_angle(i / 64, i / 64 + 1, 1);
   }
   return mass;
 }
@@ -138,8 +138,8 @@ double difference(const CascadeTables& a, const CascadeTables& b, const Vec3f& u
   double sum = 0;
   constexpr std::uint32_t Count = 20000;
   for (std::uint32_t i = 0; i < Count; ++i) {
-    const Vec3f h = a.half_vector(u, reflectance::even_point(i).direction);
-    sum += std::abs(1 - b.half_density(u, h) / a.half_density(u, h));
+    const Vec3f h = a.half_vector(u, reflectance::halton_point(i).direction);
+    sum += std::abs(1 - b.half_pdf(u, h) / a.half_pdf(u, h));
   }
   return sum / Count;
 }
@@ -172,11 +172,11 @@ TEST(CascadeScheme, IsDefinedForDegenerateBrdfs) {
 
 TEST(CascadeScheme, WantsWholeNumbersAndNotTooMany) {
   reflectance::CascadeScheme scheme;
-  EXPECT_EQ(scheme.wrong_together(), "");
+  EXPECT_EQ(scheme.validate(), "");
   scheme.theta_count = 10.5F;
-  EXPECT_NE(scheme.wrong_together(), "");
+  EXPECT_NE(scheme.validate(), "");
   scheme.theta_count = scheme.phi_count = 1024;
-  EXPECT_NE(scheme.wrong_together(), "");
+  EXPECT_NE(scheme.validate(), "");
 }
 
 }  // namespace

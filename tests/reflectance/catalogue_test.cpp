@@ -42,7 +42,7 @@ TEST(Brdf, SaysWhatPartsItHas) {
   EXPECT_TRUE(is_anisotropic(brdf_of("ward sx=0.1 sy=0.2")) && is_anisotropic(brdf_of("kajiya")));
   EXPECT_TRUE(is_anisotropic(brdf_of("poulin")) && is_anisotropic(brdf_of("granier tilt=0.1")));
   EXPECT_FALSE(is_anisotropic(brdf_of("poulin d=0")) || is_anisotropic(brdf_of("granier")));
-  EXPECT_TRUE(has_mirror(brdf_of("he")) && has_mirror(brdf_of("westin")));
+  EXPECT_TRUE(has_specular_part(brdf_of("he")) && has_specular_part(brdf_of("westin")));
   EXPECT_TRUE(has_glossy_part(brdf_of("beardmaxwell Rd=0")));
   EXPECT_FALSE(has_diffuse_part(brdf_of("beardmaxwell Rd=0")));
   EXPECT_FALSE(has_glossy_part(brdf_of("beardmaxwell Rs=0 Rv=0")) || has_glossy_part(brdf_of("he sigma=0")));

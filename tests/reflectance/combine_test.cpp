@@ -55,15 +55,15 @@ TEST(Combine, IsTheWeightedSum) {
 TEST(Combine, AddsMirrorParts) {
   const Brdf sum = brdf_in("def m = brdf specular ks=0.5 c = brdf coupled", "combine 0.5 m 0.5 c");
   const Vec3f u = test::direction(40, 0);
-  EXPECT_TRUE(has_mirror(sum));
-  EXPECT_FLOAT_EQ(mirror(sum, u).x, 0.25F + 0.5F * mirror(test::brdf_of("coupled"), u).x);
+  EXPECT_TRUE(has_specular_part(sum));
+  EXPECT_FLOAT_EQ(specular_weight(sum, u).x, 0.25F + 0.5F * specular_weight(test::brdf_of("coupled"), u).x);
 }
 
 TEST(Combine, KnowsItsParts) {
   const std::string definitions = "def d = brdf diffuse m = brdf specular w = brdf ward sx=0.1 sy=0.3 kd=0";
   const Brdf mirror_alone = brdf_in(definitions, "combine 1 m, 0 d");
-  EXPECT_TRUE(has_mirror(mirror_alone));
-  EXPECT_FALSE(has_density(mirror_alone));
+  EXPECT_TRUE(has_specular_part(mirror_alone));
+  EXPECT_FALSE(has_nonspecular_part(mirror_alone));
   const Brdf all = brdf_in(definitions, "combine 0.1 d, 0.2 m, 0.3 w");
   EXPECT_TRUE(has_diffuse_part(all) && has_glossy_part(all) && is_anisotropic(all));
   EXPECT_FALSE(is_anisotropic(brdf_in(definitions, "combine 1 d")));

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/reflector.h"
 #include "renderer/reflectance/schemes/nonnegative_factors.h"
 #include "tests/reflectance/brdf_cases.h"
@@ -81,10 +81,10 @@ Factors of_two_rows(std::size_t view_angles, std::size_t view_azimuths, std::vec
 }
 
 /// Returns the first lobe's fraction of a view's light, from the pdf in its row.
-double first_share(const Factors& factors, const Vec3f& u) {
+double first_fraction(const Factors& factors, const Vec3f& u) {
   const double solid_angle = 2 * M_PI * (1 - std::sqrt(0.5));
   const double even = Factors::Floor / (2 * M_PI);
-  return (factors.density(u, Vec3f(0.1F, 0, std::sqrt(0.99F))) - even) * solid_angle / (1 - Factors::Floor);
+  return (factors.pdf(u, Vec3f(0.1F, 0, std::sqrt(0.99F))) - even) * solid_angle / (1 - Factors::Floor);
 }
 
 TEST(Factors, AreInterpolatedBetweenTheAnglesOfViews) {
@@ -92,7 +92,7 @@ TEST(Factors, AreInterpolatedBetweenTheAnglesOfViews) {
   for (const double degrees : {0.0, 10.0, 22.5, 30.0, 45.0, 60.0, 67.5, 80.0}) {
     const double angle = degrees * M_PI / 180;
     const Vec3f u(0, static_cast<float>(std::sin(angle)), static_cast<float>(std::cos(angle)));
-    EXPECT_NEAR(first_share(factors, u), 1 - std::clamp((degrees - 22.5) / 45, 0.0, 1.0), 1e-5) << degrees;
+    EXPECT_NEAR(first_fraction(factors, u), 1 - std::clamp((degrees - 22.5) / 45, 0.0, 1.0), 1e-5) << degrees;
   }
 }
 
@@ -105,7 +105,7 @@ TEST(Factors, AreInterpolatedAroundTheAzimuthsOfViews) {
   for (const auto& [degrees, share] : expected) {
     const double angle = degrees * M_PI / 180;
     const Vec3f u(static_cast<float>(0.6 * std::cos(angle)), static_cast<float>(0.6 * std::sin(angle)), 0.8F);
-    EXPECT_NEAR(first_share(factors, u), share, 1e-5) << degrees;
+    EXPECT_NEAR(first_fraction(factors, u), share, 1e-5) << degrees;
   }
 }
 
@@ -123,8 +123,8 @@ double error_of(const std::string& brdf_text, const FactorSize& size) {
     std::vector<std::pair<double, double>> values;
     double albedo = 0;
     for (std::uint32_t i = 0; i < 20000; ++i) {
-      const Vec3f v = reflectance::uniform_direction(reflectance::even_point(i).direction);
-      values.emplace_back(scheme.density(brdf, u, v), reflectance::mean(evaluate(brdf, u, v)) * v.z);
+      const Vec3f v = reflectance::uniform_direction(reflectance::halton_point(i).direction);
+      values.emplace_back(scheme.pdf(brdf, u, v), reflectance::mean(evaluate(brdf, u, v)) * v.z);
       albedo += values.back().second * 2 * reflectance::Pi / 20000;
     }
     for (const auto& [p, value] : values) error += std::abs(p - value / albedo) * 2 * reflectance::Pi / 60000;
@@ -157,7 +157,7 @@ TEST(Factors, HaveDensitiesWhoseIntegralIsOne) {
       double mass = 0;
       for (std::size_t i = 0; i < 32 * 16; ++i) {
         const Vec3f w = grid.direction(i / 16, i / 16 + 1, 0.5F, static_cast<float>(i % 16) + 0.5F);
-        mass += factors.density(test::direction(angle, 0), w) * grid.solid_angle(i / 16, i / 16 + 1, 1);
+        mass += factors.pdf(test::direction(angle, 0), w) * grid.solid_angle(i / 16, i / 16 + 1, 1);
       }
       EXPECT_NEAR(mass, 1, 1e-5) << brdf << angle;
     }
@@ -181,12 +181,12 @@ TEST(FactoredScheme, IsDefinedForDegenerateBrdfs) {
 
 TEST(FactoredScheme, WantsWholeNumbersAndNotTooMany) {
   FactoredScheme scheme;
-  EXPECT_EQ(scheme.wrong_together(), "");
+  EXPECT_EQ(scheme.validate(), "");
   scheme.rows = 10.5F;
-  EXPECT_NE(scheme.wrong_together(), "");
+  EXPECT_NE(scheme.validate(), "");
   scheme.rows = scheme.columns = scheme.view_angles = 256;
   scheme.view_azimuths = 2;
-  EXPECT_NE(scheme.wrong_together(), "");
+  EXPECT_NE(scheme.validate(), "");
 }
 
 class Files : public testing::Test {
@@ -285,8 +285,8 @@ TEST_F(Files, ThatAreGarbledAreRefusedOrHarmless) {
       ASSERT_EQ(loaded.has_value(), diagnostics.entries().empty()) << diagnostics.to_text();
       if (!loaded) continue;
       for (std::uint32_t n = 0; n < 20; ++n) {
-        const Vec3f w = loaded->direction(test::direction(40, 0), reflectance::even_point(n));
-        ASSERT_TRUE(std::isfinite(loaded->density(test::direction(40, 0), w)) && w.z >= 0);
+        const Vec3f w = loaded->direction(test::direction(40, 0), reflectance::halton_point(n));
+        ASSERT_TRUE(std::isfinite(loaded->pdf(test::direction(40, 0), w)) && w.z >= 0);
       }
     }
     replace(path, whole);

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/reflector.h"
 #include "tests/reflectance/brdf_cases.h"
 #include "tests/reflectance/scheme_cases.h"
@@ -24,18 +24,18 @@ struct FitCase {
 
 /// Returns the total variation distance of the pdf from f cos(theta_v): half the integral of |p - f
 /// cos/albedo|.
-double misplaced_share(const Reflector& reflector, const Vec3f& u) {
+double misplaced_fraction(const Reflector& reflector, const Vec3f& u) {
   constexpr std::uint32_t Count = 20000;
   constexpr double Share = 2 * M_PI / Count;
   std::vector<std::pair<double, double>> values;
   double albedo = 0;
   for (std::uint32_t i = 0; i < Count; ++i) {
-    const Vec3f v = reflectance::uniform_direction(reflectance::even_point(i).direction);
-    values.emplace_back(reflector.density(u, v), reflectance::mean(reflector.evaluate(u, v)) * v.z);
+    const Vec3f v = reflectance::uniform_direction(reflectance::halton_point(i).direction);
+    values.emplace_back(reflector.pdf(u, v), reflectance::mean(reflector.evaluate(u, v)) * v.z);
     albedo += values.back().second * Share;
   }
   double sum = 0;
-  for (const auto& [density, value] : values) sum += std::abs(density - value / albedo) * Share / 2;
+  for (const auto& [pdf, value] : values) sum += std::abs(pdf - value / albedo) * Share / 2;
   return sum;
 }
 
@@ -45,7 +45,7 @@ TEST_P(Fit, DensityIsNearTheBrdfTimesTheCosine) {
   const Reflector reflector(test::brdf_of(GetParam().brdf), test::scheme_of(GetParam().scheme));
   constexpr std::pair<double, double> Views[] = {{7, 20}, {34, 65}, {34, 250}, {58, 150}, {74, 20}, {74, 65}};
   for (const auto& [theta, phi] : Views) {
-    EXPECT_LT(misplaced_share(reflector, test::direction(theta, phi)), GetParam().most)
+    EXPECT_LT(misplaced_fraction(reflector, test::direction(theta, phi)), GetParam().most)
         << theta << " " << phi;
   }
 }

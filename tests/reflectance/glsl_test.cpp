@@ -29,11 +29,11 @@ reflectance::FormulaShader shader_of_model() {
 /// Returns the call of a model's delta part, unless it is constant: the model's arguments without v and the
 /// diffuse part, which is the last parameter.
 template <class Model>
-std::string mirror_call_of() {
+std::string specular_call_of() {
   std::string call = shader_of_model<Model>().call;
   const std::string keyword(Model::table().keyword);
   call.resize(call.rfind(", parameter"));
-  return keyword + "_mirror(u" + call.substr(keyword.size() + 5) + ")";
+  return keyword + "_specular(u" + call.substr(keyword.size() + 5) + ")";
 }
 
 /// The inputs of a model's shader, and the models, for messages.
@@ -131,11 +131,12 @@ void expect_mirror_is_what_cpp_is() {
   Triples<Model> triples;
   test::for_each_set<Model>(
       [&](const Model& model, std::span<const Pair> pairs) { triples.add(model, pairs.first(4)); });
-  const std::vector<Rgb> shader = test::GlslContext().run(
-      shader_of_model<Model>().functions, mirror_call_of<Model>(), triples.u, triples.u, triples.parameters);
+  const std::vector<Rgb> shader =
+      test::GlslContext().run(shader_of_model<Model>().functions, specular_call_of<Model>(), triples.u,
+                              triples.u, triples.parameters);
   test::Failures failures;
   for (std::size_t i = 0; i < shader.size(); ++i) {
-    const Rgb expected = triples.model_of(i).mirror(triples.u[i]);
+    const Rgb expected = triples.model_of(i).specular_weight(triples.u[i]);
     for (int k = 0; k < 3; ++k) {
       const float difference = std::abs(shader[i][k] - expected[k]);
       if (difference <= 1e-3F * expected[k] + 1e-12F) continue;

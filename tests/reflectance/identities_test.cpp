@@ -19,14 +19,14 @@ using test::brdf_of;
 using test::Pair;
 
 /// Returns the albedo of the first channel, with the delta part.
-double albedo_with_mirror(const std::string& text, double theta) {
+double albedo_with_specular(const std::string& text, double theta) {
   const Brdf brdf = brdf_of(text);
   const Vec3f u = test::direction(theta, 25);
   const auto reflected = [&](const Vec3f& v) { return evaluate(brdf, u, v).x * double(v.z); };
   const int depth = test::info_of(brdf).not_continuous.empty() ? 0 : 4;
   const statistics::Quadrature quadrature(reflected, reflectance::mirrored(u), depth > 0 ? 1e-7 : 1e-8,
                                           depth);
-  return quadrature.over_hemisphere() + mirror(brdf, u).x;
+  return quadrature.over_hemisphere() + specular_weight(brdf, u).x;
 }
 
 /// Returns pairs for which textbook forms are accurate.
@@ -80,9 +80,9 @@ class Albedo : public testing::TestWithParam<AlbedoRow> {};
 
 TEST_P(Albedo, IsThatOfTheLiterature) {
   const AlbedoRow& row = GetParam();
-  EXPECT_NEAR(albedo_with_mirror(row.brdf, 0), row.at_0, 1e-4 * std::max(1.0, row.at_0));
-  EXPECT_NEAR(albedo_with_mirror(row.brdf, 45), row.at_45, 1e-4 * std::max(1.0, row.at_45));
-  EXPECT_NEAR(albedo_with_mirror(row.brdf, 80), row.at_80, 1e-4 * std::max(1.0, row.at_80));
+  EXPECT_NEAR(albedo_with_specular(row.brdf, 0), row.at_0, 1e-4 * std::max(1.0, row.at_0));
+  EXPECT_NEAR(albedo_with_specular(row.brdf, 45), row.at_45, 1e-4 * std::max(1.0, row.at_45));
+  EXPECT_NEAR(albedo_with_specular(row.brdf, 80), row.at_80, 1e-4 * std::max(1.0, row.at_80));
 }
 
 // The instances of the thesis' table 5.5.
@@ -134,7 +134,7 @@ class NoGain : public testing::TestWithParam<std::string> {};
 
 TEST_P(NoGain, InAWhiteFurnace) {
   for (const double theta : {0.0, 30.0, 60.0, 75.0, 85.0, 89.0, 89.9}) {
-    EXPECT_LE(albedo_with_mirror(GetParam(), theta), 1.0002) << theta;
+    EXPECT_LE(albedo_with_specular(GetParam(), theta), 1.0002) << theta;
   }
 }
 
@@ -216,7 +216,7 @@ TEST(Minnaert, IsLambertForK1) { expect_same("minnaert k=1 kd=0.7", "diffuse kd=
 TEST(Minnaert, HasItsClosedAlbedo) {
   for (const double theta : {0.0, 50.0, 80.0}) {
     const double cosine = std::cos(theta * M_PI / 180);
-    EXPECT_NEAR(albedo_with_mirror("minnaert k=3 kd=0.5", theta), 2 * 0.5 / 4 * cosine * cosine, 1e-5);
+    EXPECT_NEAR(albedo_with_specular("minnaert k=3 kd=0.5", theta), 2 * 0.5 / 4 * cosine * cosine, 1e-5);
   }
 }
 
@@ -245,8 +245,8 @@ TEST(Oren, IsAsPrinted) {
 }
 
 TEST(Oren, GainsAsMuchAsItsFitDoes) {
-  EXPECT_NEAR(albedo_with_mirror("oren s=0.2 r=1", 80), 1.019, 5e-4);
-  EXPECT_NEAR(albedo_with_mirror("oren s=0.3 r=1", 89.9), 1.05, 5e-3);
+  EXPECT_NEAR(albedo_with_specular("oren s=0.2 r=1", 80), 1.019, 5e-4);
+  EXPECT_NEAR(albedo_with_specular("oren s=0.3 r=1", 89.9), 1.05, 5e-3);
 }
 
 TEST(Torrance, IsAsPrinted) {
@@ -260,7 +260,7 @@ TEST(Torrance, IsAsPrinted) {
 }
 
 TEST(Torrance, OfAPerfectConductorNearlyReflectsAll) {
-  EXPECT_NEAR(albedo_with_mirror("torrance m=0.05 nreal=0.001 nimag=100 ks=1 kd=0", 10), 1, 2e-3);
+  EXPECT_NEAR(albedo_with_specular("torrance m=0.05 nreal=0.001 nimag=100 ks=1 kd=0", 10), 1, 2e-3);
 }
 
 TEST(Lafortune, IsPhongsLobe) {
@@ -290,14 +290,14 @@ TEST(Lafortune, RefusesAPeakThatIsNoNumber) {
 
 TEST(Coupled, ReflectsAllAtEveryAngle) {
   for (const double theta : {0.0, 30.0, 70.0, 85.0, 89.9}) {
-    EXPECT_NEAR(albedo_with_mirror("coupled Rm=1 R0=0.05", theta), 1, 1e-4) << theta;
-    EXPECT_NEAR(albedo_with_mirror("coupled Rm=1 R0=0.6", theta), 1, 1e-4) << theta;
+    EXPECT_NEAR(albedo_with_specular("coupled Rm=1 R0=0.05", theta), 1, 1e-4) << theta;
+    EXPECT_NEAR(albedo_with_specular("coupled Rm=1 R0=0.6", theta), 1, 1e-4) << theta;
   }
 }
 
 TEST(Coupled, HasAMirrorOfItsFresnelReflectance) {
   const Vec3f u = test::direction(60, 10);
-  const Rgb weight = mirror(brdf_of("coupled Rm=0.5 Ro=(0.04, 0.2, 0.9)"), u);
+  const Rgb weight = specular_weight(brdf_of("coupled Rm=0.5 Ro=(0.04, 0.2, 0.9)"), u);
   EXPECT_NEAR(weight.x, schlick(0.04, 0.5), 1e-6);
   EXPECT_NEAR(weight.y, schlick(0.2, 0.5), 1e-6);
   EXPECT_NEAR(weight.z, schlick(0.9, 0.5), 1e-6);
@@ -320,7 +320,7 @@ TEST(Ashikhmin, IsIsotropicForEqualExponents) {
 }
 
 TEST(Ashikhmin, IsVeryWideForExponentsOf0) {
-  EXPECT_NEAR(albedo_with_mirror("ashikhmin ex=0 Rs=1 Rd=0", 0), 0.14, 5e-3);
+  EXPECT_NEAR(albedo_with_specular("ashikhmin ex=0 Rs=1 Rd=0", 0), 0.14, 5e-3);
 }
 
 // Schlick 1994; the lines of the formula as his paper has them.
@@ -362,24 +362,24 @@ TEST(Schlick, KeepsToAThinLobeForIsotropyTowards0) {
 TEST(Schlick, IsAMirrorWithoutRoughness) {
   const Vec3f u = test::direction(60, 10);
   const Brdf one = brdf_of("schlick SC=0.7 Sr=0");
-  EXPECT_NEAR(mirror(one, u).x, schlick(0.7, 0.5), 1e-6);
+  EXPECT_NEAR(specular_weight(one, u).x, schlick(0.7, 0.5), 1e-6);
   EXPECT_EQ(evaluate(one, u, reflectance::mirrored(u)), Rgb(0));
-  EXPECT_TRUE(has_mirror(one));
-  EXPECT_FALSE(has_density(one));
+  EXPECT_TRUE(has_specular_part(one));
+  EXPECT_FALSE(has_nonspecular_part(one));
 
   const Brdf two = brdf_of("schlick SC=0.7 Sr=0.31 Ly=true DC=0.5 Dr=0");
-  EXPECT_NEAR(mirror(two, u).x, (1 - schlick(0.7, 0.5)) * schlick(0.5, 0.5), 1e-6);
-  EXPECT_TRUE(has_mirror(two) && has_density(two));
+  EXPECT_NEAR(specular_weight(two, u).x, (1 - schlick(0.7, 0.5)) * schlick(0.5, 0.5), 1e-6);
+  EXPECT_TRUE(has_specular_part(two) && has_nonspecular_part(two));
   EXPECT_EQ(evaluate(two, u, test::direction(20, 100)),
             evaluate(brdf_of("schlick SC=0.7 Sr=0.31"), u, test::direction(20, 100)));
 
-  EXPECT_FALSE(has_mirror(brdf_of("schlick Sr=0.31 Ly=false Dr=0"))) << "there is no second layer";
-  EXPECT_EQ(mirror(brdf_of("schlick Sr=0.31 Ly=false Dr=0"), u), Rgb(0));
+  EXPECT_FALSE(has_specular_part(brdf_of("schlick Sr=0.31 Ly=false Dr=0"))) << "there is no second layer";
+  EXPECT_EQ(specular_weight(brdf_of("schlick Sr=0.31 Ly=false Dr=0"), u), Rgb(0));
 }
 
 TEST(Schlick, GainsTowardsGrazingAsPublished) {
-  EXPECT_NEAR(albedo_with_mirror("schlick SC=0.7 Sr=0.31", 70.3), 1, 2e-3);
-  EXPECT_NEAR(albedo_with_mirror("schlick SC=1 Sr=1", 60), 1, 2e-3);
+  EXPECT_NEAR(albedo_with_specular("schlick SC=0.7 Sr=0.31", 70.3), 1, 2e-3);
+  EXPECT_NEAR(albedo_with_specular("schlick SC=1 Sr=1", 60), 1, 2e-3);
 }
 
 TEST(Strauss, HasHisReflectivityCurves) {
@@ -400,8 +400,8 @@ TEST(Strauss, HasHisReflectivityCurves) {
 }
 
 TEST(Strauss, IsMatteForSmoothnessOf0AndAMirrorFor1) {
-  EXPECT_NEAR(albedo_with_mirror("strauss s=0 m=1 ks=0 kd=0.8", 30), 0.8, 1e-5);
-  EXPECT_NEAR(albedo_with_mirror("strauss s=1 m=0 ks=1 kd=1", 30), std::cos(M_PI / 6), 2e-3)
+  EXPECT_NEAR(albedo_with_specular("strauss s=0 m=1 ks=0 kd=0.8", 30), 0.8, 1e-5);
+  EXPECT_NEAR(albedo_with_specular("strauss s=1 m=0 ks=1 kd=1", 30), std::cos(M_PI / 6), 2e-3)
       << "a normalised Phong lobe";
 }
 
@@ -416,7 +416,7 @@ TEST(Strauss, HasTheColourOfAMetalInItsHighlight) {
 TEST(Strauss, GainsLittle) {
   for (const double theta : {0.0, 45.0, 75.0, 85.0, 89.0}) {
     for (const std::string s : {"0", "0.2", "0.4", "0.7", "0.95"}) {
-      EXPECT_LE(albedo_with_mirror("strauss m=0 ks=1 kd=1 s=" + s, theta), 1.004) << s << " " << theta;
+      EXPECT_LE(albedo_with_specular("strauss m=0 ks=1 kd=1 s=" + s, theta), 1.004) << s << " " << theta;
     }
   }
 }
@@ -427,8 +427,8 @@ TEST(Neumann, IsLambertForR2) {
 }
 
 TEST(Neumann, ReflectsThePartOfItsDiscThatIsOverTheHorizon) {
-  EXPECT_NEAR(albedo_with_mirror("neumann r=0.2 ks=0.8", 0), 0.8, 1e-3);
-  EXPECT_NEAR(albedo_with_mirror("neumann r=0.2", 80), 0.527, 1e-3);
+  EXPECT_NEAR(albedo_with_specular("neumann r=0.2 ks=0.8", 0), 0.8, 1e-3);
+  EXPECT_NEAR(albedo_with_specular("neumann r=0.2", 80), 0.527, 1e-3);
 }
 
 // The area of an ellipse within the unit disc, by the midpoint rule.
@@ -448,14 +448,14 @@ TEST(Neumann, KnowsTheAreaOfEllipsesThatCrossTheHorizon) {
 
 TEST(Parts, AreThoseThatABrdfHas) {
   EXPECT_TRUE(has_diffuse_part(brdf_of("oren")) && !has_glossy_part(brdf_of("oren")));
-  EXPECT_TRUE(has_diffuse_part(brdf_of("coupled")) && has_mirror(brdf_of("coupled")));
+  EXPECT_TRUE(has_diffuse_part(brdf_of("coupled")) && has_specular_part(brdf_of("coupled")));
   EXPECT_FALSE(has_glossy_part(brdf_of("coupled")));
-  EXPECT_FALSE(has_density(brdf_of("coupled Rm=0")));
+  EXPECT_FALSE(has_nonspecular_part(brdf_of("coupled Rm=0")));
   EXPECT_TRUE(has_glossy_part(brdf_of("lafortune kp=0")) && !has_diffuse_part(brdf_of("lafortune kp=0")));
   EXPECT_TRUE(has_glossy_part(brdf_of("ashikhmin Rs=0"))) << "it has a reflectance towards grazing";
   EXPECT_FALSE(has_diffuse_part(brdf_of("strauss s=1")));
-  EXPECT_FALSE(has_density(brdf_of("phong ks=0 kd=0")));
-  EXPECT_FALSE(has_density(brdf_of("specular")));
+  EXPECT_FALSE(has_nonspecular_part(brdf_of("phong ks=0 kd=0")));
+  EXPECT_FALSE(has_nonspecular_part(brdf_of("specular")));
   EXPECT_TRUE(is_anisotropic(brdf_of("lafortune Cx=-0.5")) && !is_anisotropic(brdf_of("lafortune")));
   EXPECT_TRUE(is_anisotropic(brdf_of("neumann ry=0.1")) && !is_anisotropic(brdf_of("neumann r=0.3")));
   EXPECT_TRUE(is_anisotropic(brdf_of("schlick Sp=0.5")) && !is_anisotropic(brdf_of("schlick Dp=0.5")));

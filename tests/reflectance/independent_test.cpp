@@ -68,11 +68,11 @@ TEST_P(Independent, HasTheValuesOfThePaper) {
 
 TEST_P(Independent, HasTheMirrorPartOfThePaper) {
   const json& pairs = independent_table()["pairs"];
-  EXPECT_EQ(has_mirror(brdf_), instance_.contains("mirrors"));
+  EXPECT_EQ(has_specular_part(brdf_), instance_.contains("mirrors"));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const V3d expected = instance_.contains("mirrors") ? channels_of(instance_["mirrors"][i]) : V3d(0);
     const Vec3f u(in_double(pairs[i][0], pairs[i][1]));
-    expect_channels(mirror(brdf_, u), expected, 1e-4, " at " + pairs[i].dump());
+    expect_channels(specular_weight(brdf_, u), expected, 1e-4, " at " + pairs[i].dump());
   }
 }
 
@@ -149,7 +149,7 @@ TEST(IndependentTable, HasFiveAlbedosOfEachModel) {
     counts[text.substr(0, text.find(' '))] += instance["albedos"].size();
   }
   for (const grf::ModelInfo& model : reflectance::brdf_infos()) {
-    if (model.takes != grf::ModelInfo::Takes::Parameters) continue;  // it has no formula
+    if (model.argument_kind != grf::ModelInfo::ArgumentKind::Parameters) continue;  // it has no formula
     EXPECT_GE(counts[std::string(model.keyword)], 5U) << model.keyword;
   }
 }

@@ -112,7 +112,7 @@ TEST(He, OfASmoothSurfaceIsAMirror) {
     const auto brdf = test::brdf_of(std::string(keyword) + " sigma=0 nreal=1.5 ks=(0.8, 0.5, 0.2) kd=0.1");
     EXPECT_EQ(evaluate(brdf, u, reflectance::mirrored(u)), Rgb(0.1F / reflectance::Pi));
     const float fresnel = HeFormula<float>().fresnel(u.z, 1.5F, 0);
-    const Rgb weight = std::visit([&](const auto& model) { return mirror(model, u); }, brdf);
+    const Rgb weight = std::visit([&](const auto& model) { return specular_weight(model, u); }, brdf);
     EXPECT_NEAR((weight - Rgb(0.8F, 0.5F, 0.2F) * fresnel).length(), 0, 1e-6);
   }
 }
@@ -122,7 +122,7 @@ TEST(He, MirrorPartFallsWithTheHeightInWavelengths) {
   const double g = std::pow(4 * M_PI * 0.05 * 0.5 / 0.5, 2);
   const auto brdf = std::get<reflectance::Westin>(test::brdf_of("westin sigma=0.05 tau=50 lambda=500"));
   const double shadowing = u.z * HeFormula<double>().kirchhoff_shadowing_over_cosine(Imath::V3d(u), 0.05, 50);
-  EXPECT_NEAR(brdf.mirror(u).x, shadowing * shadowing * std::exp(-g), 1e-5);
+  EXPECT_NEAR(brdf.specular_weight(u).x, shadowing * shadowing * std::exp(-g), 1e-5);
 }
 
 // For roughness large in wavelengths it is Beckmann facets of slope 2 sigma/tau, for all wavelengths, except
@@ -157,7 +157,7 @@ TEST(He, ConservesEnergy) {
       const auto brdf = test::brdf_of(std::string(keyword) + " " + surface);
       for (const double angle : {0.0, 40.0, 70.0, 85.0, 89.0}) {
         const Vec3f u = direction(angle, 25);
-        const Rgb weight = std::visit([&](const auto& model) { return mirror(model, u); }, brdf);
+        const Rgb weight = std::visit([&](const auto& model) { return specular_weight(model, u); }, brdf);
         EXPECT_LT(test::albedo(brdf, u, 1e-6) + weight.x, 1.002) << keyword << " " << surface << " " << angle;
       }
     }

@@ -45,7 +45,7 @@ bool is_another_value_swapped(const Exception& exception) {
 bool reflects_more_than_it_receives(const Exception& exception) {
   const Brdf brdf = test::brdf_of(exception.brdf);
   const Vec3f u = test::direction(exception.theta, 25);
-  return test::albedo(brdf, u, 1e-6) + mirror(brdf, u).x > 1.001;
+  return test::albedo(brdf, u, 1e-6) + specular_weight(brdf, u).x > 1.001;
 }
 
 /// Returns true if float differs from double by more than 1e-3.

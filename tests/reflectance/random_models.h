@@ -50,7 +50,7 @@ class ModelGenerator {
  private:
   template <class Model>
   static bool is_wrong(const Model& model) {
-    if constexpr (requires { model.wrong_together(); }) return !model.wrong_together().empty();
+    if constexpr (requires { model.validate(); }) return !model.validate().empty();
     return false;
   }
 

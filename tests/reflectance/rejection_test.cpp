@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/reflector.h"
 #include "tests/reflectance/brdf_cases.h"
 #include "tests/reflectance/scheme_cases.h"
@@ -15,11 +15,11 @@ namespace {
 
 using reflectance::Box;
 using reflectance::DiscGrid;
-using reflectance::MoreUniforms;
 using reflectance::Reflector;
 using reflectance::RejectionSettings;
 using reflectance::RejectionTree;
 using reflectance::RejectionTrees;
+using reflectance::SplitMix;
 using reflectance::Uniforms;
 using reflectance::Vec3f;
 
@@ -96,7 +96,7 @@ TEST(RejectionTree, DrawsCellsByTheirExactShare) {
     constexpr int Samples = 400000;
     std::vector<int> counts(grid.resolution() * grid.resolution());
     for (int i = 0; i < Samples; ++i) {
-      MoreUniforms more({{float(i), 1}, 2});
+      SplitMix more({{float(i), 1}, 2});
       const auto leaf = tree.leaf_of(more.next());
       const auto point =
           tree.draw(leaf, more.next_pair(), more, [&](double x, double y) { return tree.at(x, y); });
@@ -110,7 +110,7 @@ TEST(RejectionTree, DrawsCellsByTheirExactShare) {
       for (int x = 0; x < 24; ++x) {
         const Box box = DiscGrid::box({x, y, x + 1, y + 1}, 24);
         const double share = double(tree.at((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2)) *
-                             tree.density_of_one() * grid.area(x, y);
+                             tree.pdf_of_one() * grid.area(x, y);
         mass += share;
         if (share * Samples < 5) continue;
         const double off = counts[grid.index(x, y)] - share * Samples;
@@ -128,7 +128,7 @@ double mean_tries(const RejectionTree& tree) {
   double tries = 0;
   constexpr int Samples = 20000;
   for (int i = 0; i < Samples; ++i) {
-    MoreUniforms more({{float(i), 3}, 4});
+    SplitMix more({{float(i), 3}, 4});
     const auto leaf = tree.leaf_of(more.next());
     tries +=
         tree.draw(leaf, more.next_pair(), more, [&](double x, double y) { return tree.at(x, y); })->tries;
@@ -153,11 +153,11 @@ TEST(RejectionTree, IsDefinedForOneSpike) {
   values[grid.index(70, 40)] = 1e30F;
   for (const float most_tries : {1.01F, 2.0F, reflectance::AnyTries}) {
     const RejectionTree tree(values, grid, most_tries, true);
-    EXPECT_TRUE(std::isfinite(tree.density_of_one()));
+    EXPECT_TRUE(std::isfinite(tree.pdf_of_one()));
     int hits = 0;
     int empty = 0;
     for (int i = 0; i < 2000; ++i) {
-      MoreUniforms more({{float(i), 5}, 6});
+      SplitMix more({{float(i), 5}, 6});
       const auto point = tree.draw(tree.leaf_of(more.next()), more.next_pair(), more,
                                    [&](double x, double y) { return tree.at(x, y); });
       if (!point) {
@@ -174,7 +174,7 @@ TEST(RejectionTree, IsDefinedForOneSpike) {
 TEST(RejectionTree, OfNothingIsUniform) {
   const DiscGrid grid(10);
   const RejectionTree tree(std::vector<float>(100), grid, 2, true);
-  EXPECT_NEAR(tree.at(0.3, 0.2) * tree.density_of_one(), 1 / std::numbers::pi, 1e-6);
+  EXPECT_NEAR(tree.at(0.3, 0.2) * tree.pdf_of_one(), 1 / std::numbers::pi, 1e-6);
   EXPECT_EQ(tree.nodes().size(), 1U);
 }
 
@@ -187,11 +187,11 @@ TEST(RejectionTree, AccountsForItsBound) {
   constexpr int Samples = 4000;
   int drawn = 0;
   for (int i = 0; i < Samples; ++i) {
-    MoreUniforms more({{float(i), 7}, 8});
+    SplitMix more({{float(i), 7}, 8});
     const auto value = [&](double x, double y) { return tree.at(x, y); };
     if (tree.draw(tree.leaf_of(0), more.next_pair(), more, value)) ++drawn;
   }
-  const double mass = tree.density_of_one() * tree.nodes()[0].integral;
+  const double mass = tree.pdf_of_one() * tree.nodes()[0].integral;
   EXPECT_LT(mass, 0.2);
   EXPECT_NEAR(drawn, mass * Samples, 4.5 * std::sqrt(mass * Samples));
 }
@@ -213,8 +213,8 @@ TEST(RejectionTrees, AreTheSameWithoutTheirTables) {
     const RejectionTrees freed(brdf, settings);
     std::uint32_t i = 0;
     for (const test::Pair& pair : test::direction_pairs(3000, 5)) {
-      ASSERT_EQ(kept.density(brdf, pair.u, pair.v), freed.density(brdf, pair.u, pair.v)) << text;
-      const Uniforms xi = reflectance::even_point(i++);
+      ASSERT_EQ(kept.pdf(brdf, pair.u, pair.v), freed.pdf(brdf, pair.u, pair.v)) << text;
+      const Uniforms xi = reflectance::halton_point(i++);
       const auto of_kept = kept.draw(brdf, pair.u, xi);
       const auto of_freed = freed.draw(brdf, pair.u, xi);
       ASSERT_EQ(of_kept.has_value(), of_freed.has_value()) << text;
@@ -233,16 +233,16 @@ TEST(RejectionTrees, ManySamplesAreSharedByTheDensity) {
   std::vector<reflectance::DirectionSample> many;
   for (int batch = 0; batch < 400; ++batch) {
     std::vector<Uniforms> xi(250);
-    for (int i = 0; i < 250; ++i) xi[i] = reflectance::even_point(batch * 250 + i);
+    for (int i = 0; i < 250; ++i) xi[i] = reflectance::halton_point(batch * 250 + i);
     sample_many(scheme, brdf, u, xi, many);
   }
   ASSERT_EQ(many.size(), 100000U);
-  const auto density = [&](const Vec3f& v) { return double(reflectance::density(scheme, brdf, u, v)); };
-  const statistics::ChiSquareTest test(density, reflectance::mirrored(u), 3);
+  const auto pdf = [&](const Vec3f& v) { return double(reflectance::pdf(scheme, brdf, u, v)); };
+  const statistics::ChiSquareTest test(pdf, reflectance::mirrored(u), 3);
   std::size_t next = 0;
   // Counts vary less than those of independent samples, so only deviations are detected.
   EXPECT_GT(test.p_value([&] { return std::optional(many[next++].direction); }, 100000), 1e-4);
-  for (const auto& sample : many) ASSERT_EQ(sample.density, density(sample.direction));
+  for (const auto& sample : many) ASSERT_EQ(sample.pdf, pdf(sample.direction));
 }
 
 TEST(RejectionTrees, ManySamplesVaryLessThanSingleOnes) {
@@ -256,7 +256,7 @@ TEST(RejectionTrees, ManySamplesVaryLessThanSingleOnes) {
   constexpr int Count = 64;
   double share = 0;
   std::vector<std::pair<double, double>> runs;
-  MoreUniforms random({{1, 2}, 3});
+  SplitMix random({{1, 2}, 3});
   for (int run = 0; run < 500; ++run) {
     std::vector<Uniforms> xi;
     for (int i = 0; i < Count; ++i) xi.push_back({random.next_pair(), random.next_pair().x});
@@ -282,7 +282,7 @@ TEST(SampleMany, FallsBackToSingleSamples) {
   const reflectance::Scheme scheme = reflectance::OwnScheme();
   const Vec3f u = test::direction(40, 25);
   std::vector<Uniforms> xi;
-  for (int i = 0; i < 50; ++i) xi.push_back(reflectance::even_point(i));
+  for (int i = 0; i < 50; ++i) xi.push_back(reflectance::halton_point(i));
   std::vector<reflectance::DirectionSample> many;
   sample_many(scheme, brdf, u, xi, many);
   std::size_t next = 0;
@@ -297,17 +297,17 @@ TEST(SampleMany, FallsBackToSingleSamples) {
 
 TEST(RejectionTrees, AreTheSameOnOneThread) {
   const reflectance::Brdf brdf = test::brdf_of("ward sx=0.15 sy=0.4");
-  const auto densities = [&] {
+  const auto pdfs = [&] {
     const RejectionTrees trees(brdf, small(5, 60));
     std::vector<float> all;
     for (const test::Pair& pair : test::direction_pairs(3000, 5)) {
-      all.push_back(trees.density(brdf, pair.u, pair.v));
+      all.push_back(trees.pdf(brdf, pair.u, pair.v));
     }
     return std::pair(all, trees.bytes());
   };
-  const auto parallel = densities();
+  const auto parallel = pdfs();
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  EXPECT_EQ(parallel, densities());
+  EXPECT_EQ(parallel, pdfs());
 }
 
 TEST(RejectionTrees, HoldLessWithoutTables) {
@@ -335,7 +335,7 @@ void expect_albedo(const std::string& brdf, const std::string& scheme, double de
   double sum = 0;
   double squares = 0;
   constexpr int Samples = 50000;
-  MoreUniforms random({{5, 6}, 7});
+  SplitMix random({{5, 6}, 7});
   for (int i = 0; i < Samples; ++i) {
     const auto sample = subject.sample(u, {random.next_pair(), random.next_pair().x});
     const double weight = sample ? sample->weight.x : 0;
@@ -345,7 +345,7 @@ void expect_albedo(const std::string& brdf, const std::string& scheme, double de
   }
   const double mean = sum / Samples;
   const double deviation = std::sqrt(std::max(0.0, squares / Samples - mean * mean) / Samples);
-  const double exact = quadrature.over_hemisphere() + reflectance::mirror(subject.brdf(), u).x;
+  const double exact = quadrature.over_hemisphere() + reflectance::specular_weight(subject.brdf(), u).x;
   EXPECT_NEAR(mean, exact, 4.5 * deviation + 2e-4 * exact + 1e-9)
       << brdf << " / " << scheme << " " << degrees;
 }
@@ -382,10 +382,10 @@ TEST(Degenerate, BlackAndMirrorBrdfs) {
     const Reflector black(test::brdf_of("diffuse kd=0"), test::scheme_of(scheme));
     const Vec3f u = test::direction(30, 0);
     EXPECT_FALSE(black.sample(u, {{0.3F, 0.4F}, 0.5F}));
-    EXPECT_EQ(black.density(u, u), 0);
-    const std::string reason = refusal(test::scheme_of(scheme), test::brdf_of("specular"));
+    EXPECT_EQ(black.pdf(u, u), 0);
+    const std::string reason = unsupported_reason(test::scheme_of(scheme), test::brdf_of("specular"));
     EXPECT_NE(reason.find("specular"), std::string::npos);
-    EXPECT_EQ(refusal(test::scheme_of(scheme), test::brdf_of("coupled")), "");
+    EXPECT_EQ(unsupported_reason(test::scheme_of(scheme), test::brdf_of("coupled")), "");
   }
 }
 

@@ -107,9 +107,10 @@ TEST(Resampling, CountsMirrorsToo) {
   const Vec3f u = test::direction(40, 10);
   const Reflector coupled(test::brdf_of("coupled Rm=1 Ro=0.3"), test::scheme_of("auto"));
   const Vec3f mirror = reflectance::mirrored(u);
-  const double exact = by_quadrature(coupled, u) +
-                       double(reflectance::mean(reflectance::mirror(coupled.brdf(), u) * light(mirror))) *
-                           double(visibility(mirror));
+  const double exact =
+      by_quadrature(coupled, u) +
+      double(reflectance::mean(reflectance::specular_weight(coupled.brdf(), u) * light(mirror))) *
+          double(visibility(mirror));
   const Estimate estimate = resampled(coupled, u, {8, 2});
   EXPECT_NEAR(estimate.mean, exact, 4.5 * estimate.deviation(Runs));
 }

@@ -99,7 +99,7 @@ class RandomNumbers {
 /// Returns nothing for a delta direction, which has no pdf.
 std::optional<Vec3f> direction_of(const Reflector& reflector, const Vec3f& u, const Uniforms& xi) {
   const auto sample = reflector.sample(u, xi);
-  if (!sample || sample->is_mirror) return std::nullopt;
+  if (!sample || sample->is_specular) return std::nullopt;
   return sample->direction;
 }
 
@@ -122,12 +122,12 @@ TEST_P(Sampling, FollowsItsDensity) {
   const Reflector subject = reflector();
   for (const double angle : GetParam().angles) {
     const Vec3f u = test::direction(angle, 25);
-    const auto density = [&](const Vec3f& v) { return static_cast<double>(subject.density(u, v)); };
+    const auto pdf = [&](const Vec3f& v) { return static_cast<double>(subject.pdf(u, v)); };
     if (GetParam().resolution > 0) {
-      expect_to_follow(statistics::DiscChiSquareTest(density, u, GetParam().resolution), subject, angle);
+      expect_to_follow(statistics::DiscChiSquareTest(pdf, u, GetParam().resolution), subject, angle);
     } else {
       const Vec3f peak = reflectance::mirrored(u);
-      expect_to_follow(statistics::ChiSquareTest(density, peak, GetParam().depth), subject, angle);
+      expect_to_follow(statistics::ChiSquareTest(pdf, peak, GetParam().depth), subject, angle);
     }
   }
 }
@@ -140,18 +140,18 @@ TEST_P(Sampling, WeightsAreValueTimesCosineOverDensity) {
     int over_an_edge = 0;
     for (int i = 0; i < 5000; ++i) {
       const auto sample = subject.sample(u, random.next());
-      if (!sample || sample->is_mirror) continue;
+      if (!sample || sample->is_specular) continue;
       const Vec3f& v = sample->direction;
       ASSERT_NEAR(v.length(), 1, 1e-5);
       ASSERT_GT(v.z, 0);
-      const float density = subject.density(u, v);
-      if (std::abs(sample->density - density) > (GetParam().depth > 0 ? 1e-2F : 1e-3F) * density) {
+      const float pdf = subject.pdf(u, v);
+      if (std::abs(sample->pdf - pdf) > (GetParam().depth > 0 ? 1e-2F : 1e-3F) * pdf) {
         // A rounded direction can be over the edge of a cell, where the pdf steps.
-        ASSERT_NEAR(sample->density, density, 0.3F * density);
+        ASSERT_NEAR(sample->pdf, pdf, 0.3F * pdf);
         ++over_an_edge;
         continue;
       }
-      const Rgb expected = subject.evaluate(u, v) * v.z / density;
+      const Rgb expected = subject.evaluate(u, v) * v.z / pdf;
       for (int k = 0; k < 3; ++k)
         ASSERT_NEAR(sample->weight[k], expected[k],
                     (GetParam().depth > 0 ? 1e-2F : 2e-3F) * expected[k] + 1e-6F)
@@ -190,7 +190,7 @@ TEST_P(Albedo, IsThatOfQuadratureByAnyScheme) {
     const statistics::Quadrature quadrature(
         [&](const Vec3f& v) { return evaluate(brdf, u, v).x * double(v.z); }, reflectance::mirrored(u), 1e-6,
         GetParam().depth);
-    const double exact = quadrature.over_hemisphere() + reflectance::mirror(brdf, u).x;
+    const double exact = quadrature.over_hemisphere() + reflectance::specular_weight(brdf, u).x;
     for (std::size_t i = 0; i < schemes.size(); ++i) expect_albedo(subjects[i], u, exact, schemes[i].text);
   }
 }
@@ -220,9 +220,9 @@ TEST(ChiSquareTest, RejectsAWrongSampler) {
   const Vec3f u = test::direction(30, 25);
   const Reflector right(test::brdf_of("lewis n=20 ks=0.5 kd=0.5"), reflectance::OwnScheme());
   const Reflector wrong(test::brdf_of("lewis n=22 ks=0.5 kd=0.5"), reflectance::OwnScheme());
-  const auto density = [&](const Vec3f& v) { return static_cast<double>(right.density(u, v)); };
+  const auto pdf = [&](const Vec3f& v) { return static_cast<double>(right.pdf(u, v)); };
   RandomNumbers random(10);
-  const statistics::ChiSquareTest test(density, reflectance::mirrored(u));
+  const statistics::ChiSquareTest test(pdf, reflectance::mirrored(u));
   EXPECT_LT(test.p_value([&] { return direction_of(wrong, u, random.next()); }, 100000), 1e-6);
 }
 
@@ -250,17 +250,17 @@ TEST(Mirror, IsDrawnAlwaysByWhateverScheme) {
     RandomNumbers random(13);
     for (int i = 0; i < 100; ++i) {
       const auto sample = mirror.sample(u, random.next());
-      ASSERT_TRUE(sample && sample->is_mirror);
+      ASSERT_TRUE(sample && sample->is_specular);
       EXPECT_EQ(sample->direction, reflectance::mirrored(u));
       EXPECT_EQ(sample->weight, Rgb(0.9F, 0.8F, 0.7F));
     }
-    EXPECT_FALSE(mirror.has_density());
+    EXPECT_FALSE(mirror.has_nonspecular_part());
   }
 }
 
 TEST(SpecularScheme, RefusesABrdfWithoutAMirrorPart) {
-  EXPECT_NE(refusal(reflectance::SpecularScheme(), test::brdf_of("ward")), "");
-  EXPECT_EQ(refusal(reflectance::SpecularScheme(), test::brdf_of("specular")), "");
+  EXPECT_NE(unsupported_reason(reflectance::SpecularScheme(), test::brdf_of("ward")), "");
+  EXPECT_EQ(unsupported_reason(reflectance::SpecularScheme(), test::brdf_of("specular")), "");
 }
 
 }  // namespace

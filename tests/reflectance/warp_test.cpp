@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/reflector.h"
 #include "renderer/reflectance/schemes/view_square.h"
 #include "renderer/reflectance/schemes/warp_trees.h"
@@ -41,7 +41,7 @@ double relative_variance(const Brdf& brdf, const WarpTrees& trees, const Vec3f& 
     const auto drawn = trees.sample(u, random.next_pair());
     if (!drawn) continue;
     const double weight =
-        double(reflectance::mean(evaluate(brdf, u, drawn->direction))) * drawn->direction.z / drawn->density;
+        double(reflectance::mean(evaluate(brdf, u, drawn->direction))) * drawn->direction.z / drawn->pdf;
     sum += weight;
     squares += weight * weight;
   }
@@ -87,15 +87,15 @@ TEST(Warp, DensityHasNoSeamBetweenTrees) {
     const Brdf brdf = test::brdf_of(text);
     const WarpTrees trees(brdf, WarpTreesSettings());
     // The light rotates with the view and stays at one position of the trees: only their blend changes.
-    const auto density_at = [&](double theta) {
+    const auto pdf_at = [&](double theta) {
       const Vec3f u = test::direction(theta, 0);
       const reflectance::ViewColumns columns(reflectance::square_radius(u), !is_anisotropic(brdf));
-      return static_cast<double>(trees.density(u, columns.direction({0, {0.93F, 0.61F}})));
+      return static_cast<double>(trees.pdf(u, columns.direction({0, {0.93F, 0.61F}})));
     };
     double largest = 0;
     for (int i = 0; i < 40000; ++i) {
       const double theta = 1 + i * 0.002;
-      largest = std::max(largest, std::abs(std::log(density_at(theta + 0.002) / density_at(theta))));
+      largest = std::max(largest, std::abs(std::log(pdf_at(theta + 0.002) / pdf_at(theta))));
     }
     EXPECT_LT(largest, 2e-3) << text;
   }
@@ -117,7 +117,7 @@ TEST(Warp, KeepsEvenPointsEven) {
     return sum / Count;
   };
   const double exact =
-      estimate([](std::uint32_t i) { return reflectance::even_point(i + 100000).direction; });
+      estimate([](std::uint32_t i) { return reflectance::halton_point(i + 100000).direction; });
   double random_error = 0;
   double even_error = 0;
   for (int repeat = 0; repeat < Repeats; ++repeat) {
@@ -126,7 +126,7 @@ TEST(Warp, KeepsEvenPointsEven) {
     // The points are shifted over the torus (Cranley-Patterson rotation).
     const Vec2f shift = random.next_pair();
     even_error += std::pow(estimate([&](std::uint32_t i) {
-                             const Vec2f point = reflectance::even_point(i).direction + shift;
+                             const Vec2f point = reflectance::halton_point(i).direction + shift;
                              return Vec2f(point.x - std::floor(point.x), point.y - std::floor(point.y));
                            }) - exact,
                            2);
@@ -137,7 +137,7 @@ TEST(Warp, KeepsEvenPointsEven) {
 TEST(Warp, TakesNarrowLobesAndBlackBrdfs) {
   const WarpTrees black(test::brdf_of("diffuse kd=0"), WarpTreesSettings());
   EXPECT_FALSE(black.sample(test::direction(30, 0), {0.5F, 0.5F}));
-  EXPECT_EQ(black.density(test::direction(30, 0), test::direction(10, 0)), 0);
+  EXPECT_EQ(black.pdf(test::direction(30, 0), test::direction(10, 0)), 0);
   // The lobe is a quarter of a degree wide, while the trees' views are a degree apart.
   const test::Weights narrow = test::weights_of(test::brdf_of("lewis n=100000"), 50, 2000, 4);
   EXPECT_TRUE(narrow.are_valid);
@@ -150,12 +150,11 @@ TEST(Warp, TakesNarrowLobesAndBlackBrdfs) {
   const WarpTrees tree(brdf, one);
   const auto drawn = tree.sample(test::direction(70, 200), {0.3F, 0.8F});
   ASSERT_TRUE(drawn);
-  EXPECT_NEAR(drawn->density, tree.density(test::direction(70, 200), drawn->direction),
-              1e-3 * drawn->density);
+  EXPECT_NEAR(drawn->pdf, tree.pdf(test::direction(70, 200), drawn->direction), 1e-3 * drawn->pdf);
 }
 
 TEST(Warp, RefusesAMirrorByName) {
-  EXPECT_NE(refusal(test::scheme_of("adaptive"), test::brdf_of("specular")).find("'specular'"),
+  EXPECT_NE(unsupported_reason(test::scheme_of("adaptive"), test::brdf_of("specular")).find("'specular'"),
             std::string::npos);
 }
 

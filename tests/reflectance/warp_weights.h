@@ -47,7 +47,7 @@ inline Weights weights_of(const reflectance::Brdf& brdf, int views, int samples,
     for (double& weight : weights) {
       const auto drawn = trees.sample(u, random.next_pair());
       weight = drawn ? double(reflectance::mean(evaluate(brdf, u, drawn->direction))) * drawn->direction.z /
-                           drawn->density
+                           drawn->pdf
                      : 0;
       result.are_valid = result.are_valid && std::isfinite(weight) && weight >= 0;
       sum += weight;

@@ -20,7 +20,7 @@ void edit(const grf::Scene& scene, const std::string& path) {
   if (selection.mesh_count() > 0) selection.set_mesh(0);
   connected(selection, document.objects());
   grown(selection, document.objects());
-  alike(selection, document.objects(), editor::Likeness::All);
+  select_similar(selection, document.objects(), editor::SimilarBy::All);
   selection.select_all();
   document.select(selection);
   selected_area(document.objects(), selection);

@@ -16,7 +16,7 @@
 #include "grf/triangulation.h"
 #include "grf/write.h"
 #include "renderer/reflectance/scheme.h"
-#include "renderer/transport/plan/outline.h"
+#include "renderer/transport/plan/coarse_scene.h"
 #include "renderer/transport/plan/plan.h"
 #include "renderer/transport/scene/compiled_scene.h"
 #include "tests/grf/allocation_meter.h"
@@ -57,7 +57,7 @@ std::vector<Station> all_stations() {
        }},
       {"plan", true,
        [](const convert::Format&, const std::string&, const grf::Scene& scene) {
-         transport::plan_of(transport::Outline(scene, 10'000), {});
+         transport::plan_of(transport::CoarseScene(scene, 10'000), {});
        }},
       {"compile", true,
        [](const convert::Format&, const std::string&, const grf::Scene& scene) {

@@ -52,13 +52,13 @@ double sampled_irradiance(const EnvironmentMap& map, const Vec3f& normal, std::u
   for (int i = 0; i < SamplesOfMap; ++i) {
     const auto xi = transport::sobol_point(static_cast<std::uint32_t>(i), seed);
     if (const auto light = map.sample(normal, xi.xy())) {
-      const float density = reflectance::cosine_density(frame.to_local(light->direction));
-      const float weight = power_heuristic(light->density, density);
-      sum += weight * density * reflectance::Pi / light->density * light->radiance.x;
+      const float pdf = reflectance::cosine_pdf(frame.to_local(light->direction));
+      const float weight = power_heuristic(light->pdf, pdf);
+      sum += weight * pdf * reflectance::Pi / light->pdf * light->radiance.x;
     }
     const Vec3f local = reflectance::cosine_direction({xi.z, xi.w});
     const Vec3f direction = frame.to_world(local);
-    const float weight = power_heuristic(reflectance::cosine_density(local), map.density(normal, direction));
+    const float weight = power_heuristic(reflectance::cosine_pdf(local), map.pdf(normal, direction));
     sum += weight * reflectance::Pi * map.radiance(direction).x;
   }
   return sum / SamplesOfMap;
@@ -210,7 +210,7 @@ Errors black_texels() {
   const NaiveRows naive(image);
   const auto ours = [&](const Vec2f& xi) {
     const auto drawn = map.sample(xi);
-    return drawn ? drawn->radiance.x / drawn->density : 0.0F;
+    return drawn ? drawn->radiance.x / drawn->pdf : 0.0F;
   };
   return {share_of_wrong(ours), share_of_wrong([&](const Vec2f& xi) { return naive.weight(xi); })};
 }
@@ -245,7 +245,7 @@ Errors texels_that_are_no_numbers() {
   const TemporaryFolder folder;
   grf::Diagnostics diagnostics;
   const auto map = transport::read_environment_map(folder.add("sky.pfm", pfm_of(image)), diagnostics);
-  if (!map || map->wrong_texels() != 3) return {INFINITY, 0};
+  if (!map || map->invalid_texels() != 3) return {INFINITY, 0};
   const Vec3f normal(0, 1, 0);
   const double exact = irradiance(image_with(0, 0, 0), normal, 4);
   const NaiveRows naive(image);

@@ -100,7 +100,7 @@ double furnace(const reflectance::Coupled& coupled, float cosine, Matte matte) {
     const Vec3f v(0, std::sqrt((1 - z) * (1 + z)), z);
     sum += static_cast<double>(matte(u, v) * z) * 2 * M_PI / Steps;
   }
-  return sum + static_cast<double>(coupled.mirror(u).x);
+  return sum + static_cast<double>(coupled.specular_weight(u).x);
 }
 
 Errors white_furnace() {

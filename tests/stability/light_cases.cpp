@@ -39,8 +39,8 @@ Errors errors_of_solid_angle(const Emitter& emitter, const Vec3f& from) {
   const double exact = solid_angle_of_triangle(corner, Vec3l(emitter.edge1), Vec3l(emitter.edge2));
   const Vec3f to_middle = emitter.corner + (emitter.edge1 + emitter.edge2) / 3 - from;
   const Vec3f direction = to_middle.normalized();
-  const double density = Lights({emitter}).density(from, direction, 0, direction);
-  return {relative_error(1 / density, exact), relative_error(naive_solid_angle<float>(emitter, from), exact),
+  const double pdf = Lights({emitter}).pdf(from, direction, 0, direction);
+  return {relative_error(1 / pdf, exact), relative_error(naive_solid_angle<float>(emitter, from), exact),
           relative_error(naive_solid_angle<double>(emitter, from), exact)};
 }
 
@@ -138,7 +138,7 @@ double sampled_irradiance(const Lights& lights, const Vec3f& from, const Vec3f& 
   for (int i = 0; i < SamplesOfLight; ++i) {
     const auto xi = transport::sobol_point(static_cast<std::uint32_t>(i), seed);
     const auto light = lights.sample(from, normal, xi.z, xi.xy());
-    if (light) sum += std::max(0.0F, light->direction.dot(normal)) / light->density;
+    if (light) sum += std::max(0.0F, light->direction.dot(normal)) / light->pdf;
   }
   return sum / SamplesOfLight;
 }

@@ -114,8 +114,8 @@ R naive_weight(const Imath::Vec3<R>& u, R xi, R phi, R n) {
   const R uh = u.dot(h);
   const Imath::Vec3<R> v = 2 * uh * h - u;
   const R f = std::pow((u + v).normalized().z, n);
-  const R density = (n + 1) / (2 * glsl::Pi<R>)*std::pow(cosine, n) / (4 * uh);
-  return f * v.z / density;
+  const R pdf = (n + 1) / (2 * glsl::Pi<R>)*std::pow(cosine, n) / (4 * uh);
+  return f * v.z / pdf;
 }
 
 Errors lobe_weights() {
@@ -273,7 +273,7 @@ std::vector<HardCase> lobe_cases() {
       {"Schlick's layer, isotropy 0, h = n", "the azimuth of h is 0/0", "1 where h = n; p is at least 1e-4",
        INFINITY, 1e-5, 2e-7, schlick_azimuth},
       {"Mirror beside a lobe: Schlick, Sr = 0 over Dr = 0.1", "a lobe of roughness 0 is 0/0 at h = n",
-       "`mirror` returns the delta part, `evaluate` excludes it", INFINITY, 1e-5, 1e-6,
+       "`specular_weight` returns the delta part, `evaluate` excludes it", INFINITY, 1e-5, 1e-6,
        schlick_mirror_and_lobe},
       {"Ashikhmin's lobe, exponents 1e4 and 1e5", "pow(n.h, (ex hx^2 + ey hy^2)/(1 - hz^2)), 0/0 where h = n",
        "1 - hz^2 as hx^2 + hy^2, the cosine as in Blinn's; 1 where h = n", 1e-3, 2e-5, 5e-6, ashikhmin_pole},

@@ -5,7 +5,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
-#include "renderer/transport/integrators/scattering.h"
+#include "renderer/transport/integrators/shading_point.h"
 #include "tests/stability/naive_tracer.h"
 #include "tests/transport/scene_helpers.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 using grf::Vec3d;
 using transport::CompiledScene;
-using transport::Scattering;
+using transport::ShadingPoint;
 using transport::SurfacePoint;
 using transport::Vec3f;
 
@@ -102,8 +102,8 @@ Vec3f direction_over(Random& random, const Vec3f& normal) {
   return direction.dot(normal) < 0 ? -direction : direction;
 }
 
-/// Traces rays from wall to wall of a closed cube. A ray fails if it escapes or hits the wall that it leaves.
-/// Naive code offsets the origin by 1e-4 of the last ray's length.
+/// Traces rays from wall to wall of a closed cube. A ray fails if it is_unoccluded or hits the wall that it
+/// leaves. Naive code offsets the origin by 1e-4 of the last ray's length.
 Errors errors_from_wall_to_wall(const Room& room) {
   constexpr float Epsilon = 1e-4F;
   const CompiledScene scene = room.compiled(box("brdf diffuse"));
@@ -233,8 +233,8 @@ Errors coincident() {
   const CompiledScene scene = scene_of(square(0) + square(0));
   return rays_up(scene,
                  [&](const SurfacePoint& point, const Vec3f& direction) {
-                   return Wrong{!scene.escapes({point.origin_towards(direction), direction, point.id}),
-                                !scene.escapes({point.position, direction, point.id})};
+                   return Wrong{!scene.is_unoccluded({point.origin_towards(direction), direction, point.id}),
+                                !scene.is_unoccluded({point.position, direction, point.id})};
                  })
       .shares();
 }
@@ -244,8 +244,9 @@ Errors nearly_coincident() {
   const CompiledScene scene = scene_of(square(0) + square(1e-5F));
   return rays_up(scene,
                  [&](const SurfacePoint& point, const Vec3f& direction) {
-                   return Wrong{scene.escapes({point.origin_towards(direction), direction, point.id}),
-                                scene.escapes({point.position + point.geometric_normal * 1e-4F, direction})};
+                   return Wrong{
+                       scene.is_unoccluded({point.origin_towards(direction), direction, point.id}),
+                       scene.is_unoccluded({point.position + point.geometric_normal * 1e-4F, direction})};
                  })
       .shares();
 }
@@ -269,10 +270,10 @@ Errors errors_of_light(const CompiledScene& scene, const SurfacePoint& point, st
           transport::offset_towards(light->position, light->error, light->normal, -light->direction);
       const Vec3f origin = point.origin_towards(light->direction);
       const bool is_lit = !scene.is_occluded({origin, end - origin, point.id}, light->emitter);
-      if (is_lit) ours += light->direction.dot(normal) / light->density / Samples;
+      if (is_lit) ours += light->direction.dot(normal) / light->pdf / Samples;
     }
     if (const auto light = scene.lights().sample(naive_origin, normal, xi.z, xi.xy()))
-      naive += light->direction.dot(normal) / light->density / Samples;
+      naive += light->direction.dot(normal) / light->pdf / Samples;
   }
   // The light covers the point's whole hemisphere.
   return {relative_error(ours, std::numbers::pi), relative_error(naive, std::numbers::pi)};
@@ -320,7 +321,7 @@ Errors normals_that_point_away() {
   Counts counts;
   with_bad_normals([&](const CompiledScene& scene, const SurfacePoint& point, const Vec3f& back, Random&) {
     ++counts.rays;
-    if (Scattering(point, *scene.reflector(*point.surface), back).u.z <= 0) ++counts.ours;
+    if (ShadingPoint(point, *scene.reflector(*point.surface), back).u.z <= 0) ++counts.ours;
     if (point.shading_normal.dot(back) <= 0) ++counts.naive;
   });
   return counts.shares();
@@ -332,11 +333,11 @@ Errors leaks_by_normals() {
   with_bad_normals([&](const CompiledScene& scene, const SurfacePoint& point, const Vec3f& back,
                        Random& random) {
     ++counts.rays;
-    const Scattering scattering(point, *scene.reflector(*point.surface), back);
-    const Vec3f direction = direction_over(random, scattering.frame.z);
-    if (scattering.is_above(direction)) {
+    const ShadingPoint shading(point, *scene.reflector(*point.surface), back);
+    const Vec3f direction = direction_over(random, shading.frame.z);
+    if (shading.is_above(direction)) {
       std::uint64_t rays = 0;
-      const auto ray = scattering.ray_towards(scene, direction, rays);
+      const auto ray = shading.ray_towards(scene, direction, rays);
       if (ray && !scene.intersect(*ray)) ++counts.ours;
     }
     const Vec3f normal = point.shading_normal.dot(back) < 0 ? -point.shading_normal : point.shading_normal;
@@ -373,7 +374,7 @@ double naive_brightness(const CompiledScene& scene, float distance, int paths) {
 
 Errors white_ball() {
   const CompiledScene scene = scene_of(sphere("brdf diffuse kd=1", 16, false));
-  Look look;
+  RenderSetup look;
   look.depth = 1;
   look.background = 1;
   const double ours = mean_radiance(render(scene, look)).mean;

@@ -29,7 +29,7 @@ Errors numbers_below_one() {
 }
 
 /// Tests weights above 1e-6.
-Errors weights_of_large_densities() {
+Errors weights_of_large_pdfs() {
   Random random;
   Errors errors;
   for (int i = 0; i < 10000; ++i) {
@@ -43,10 +43,10 @@ Errors weights_of_large_densities() {
 }
 
 /// Returns the relative error of the radiance that all pixels see.
-double worst_of_seeds(const transport::CompiledScene& scene, Look look, double exact) {
+double worst_of_seeds(const transport::CompiledScene& scene, RenderSetup setup, double exact) {
   double worst = 0;
-  for (look.seed = 0; look.seed < 4; ++look.seed) {
-    worst = std::max(worst, relative_error(mean_radiance(render(scene, look)).mean, exact));
+  for (setup.seed = 0; setup.seed < 4; ++setup.seed) {
+    worst = std::max(worst, relative_error(mean_radiance(render(scene, setup)).mean, exact));
   }
   return worst;
 }
@@ -64,37 +64,37 @@ Errors lamp_in_a_mirror() {
   const auto text = [](const Vec3f& v) { return fmt::format("({},{},{}) ", v.x, v.y, v.z); };
   const auto scene = scene_of("light begin rgb (1,1,1) " + text(corner) + text(edge1) + text(edge2) + "end " +
                               quad("brdf " + brdf, "(-9,-9,0) (9,-9,0) (9,9,0) (-9,9,0)"));
-  Look look;
-  look.eye = u * 4;
-  look.field_of_view = 0.001F;
-  look.width = look.height = 4;
-  look.samples = 512;
-  look.depth = 1;
-  const auto point = scene.intersect({look.eye, -u}).value();
+  RenderSetup setup;
+  setup.eye = u * 4;
+  setup.field_of_view = 0.001F;
+  setup.width = setup.height = 4;
+  setup.samples = 512;
+  setup.depth = 1;
+  const auto point = scene.intersect({setup.eye, -u}).value();
   const auto& reflector = *scene.reflector(*point.surface);
   const reflectance::Frame floor(point.shading_normal);
   const Vec3f local = floor.to_local(u);
   const Vec3l a(corner);
   const double received =
       lambert_irradiance({a, a + Vec3l(edge1), a + Vec3l(edge1) + Vec3l(edge2), a + Vec3l(edge2)}, {0, 0, 1});
-  const double matte = received * double(reflector.evaluate(local, reflectance::mirrored(local)).x);
-  const double mirror = double(reflectance::mirror(reflector.brdf(), local).x);
-  const float density = scene.lights().density(Vec3f(0), Vec3f(0, 0, 1), 0, middle.normalized());
-  const double naive = matte + mirror * double(transport::power_heuristic(1, density));
-  return {worst_of_seeds(scene, look, matte + mirror), relative_error(naive, matte + mirror)};
+  const double diffuse = received * double(reflector.evaluate(local, reflectance::mirrored(local)).x);
+  const double mirror = double(reflectance::specular_weight(reflector.brdf(), local).x);
+  const float pdf = scene.lights().pdf(Vec3f(0), Vec3f(0, 0, 1), 0, middle.normalized());
+  const double naive = diffuse + mirror * double(transport::power_heuristic(1, pdf));
+  return {worst_of_seeds(scene, setup, diffuse + mirror), relative_error(naive, diffuse + mirror)};
 }
 
 /// Tests a closed white box that emits: each vertex of a path of depth 1000 adds 1.
 Errors depth_of_thousand() {
   constexpr int Depth = 1000;
-  Look look;
-  look.eye = Vec3f(0.1F, 0.2F, 0.3F);
-  look.target = Vec3f(1, 0.3F, 0.4F);
-  look.width = look.height = 8;
-  look.samples = 1;
-  look.depth = Depth;
+  RenderSetup setup;
+  setup.eye = Vec3f(0.1F, 0.2F, 0.3F);
+  setup.target = Vec3f(1, 0.3F, 0.4F);
+  setup.width = setup.height = 8;
+  setup.samples = 1;
+  setup.depth = Depth;
   const auto scene = scene_of(box("brdf diffuse kd=1 light rgb (1,1,1)"));
-  const int paths = look.width * look.height * look.samples;
+  const int paths = setup.width * setup.height * setup.samples;
   Random random;
   double naive = 0;
   for (int i = 0; i < paths; ++i) {
@@ -106,7 +106,7 @@ Errors depth_of_thousand() {
       throughput /= 0.5F;
     }
   }
-  return {worst_of_seeds(scene, look, Depth + 1), relative_error(naive, Depth + 1)};
+  return {worst_of_seeds(scene, setup, Depth + 1), relative_error(naive, Depth + 1)};
 }
 
 constexpr int Pixels = 500;
@@ -134,7 +134,7 @@ Errors far_camera() {
     view.target = Vec3d(1e6, -1e6, 1e6) + offset;
     view.eye = view.target + Vec3d(0.5, 1, 4);
     const Vec3d origin(1e6, -1e6, 1e6);
-    const transport::Camera camera(transport::seen_from(origin, view), Pixels, Pixels);
+    const transport::Camera camera(transport::relative_to(origin, view), Pixels, Pixels);
     const float x = random.uniform(0, Pixels);
     const float y = random.uniform(0, Pixels);
     const transport::Ray ray = camera.ray(x, y);
@@ -180,7 +180,7 @@ std::vector<HardCase> sampling_cases() {
       {"2^26 random numbers in [0,1)", "32 bits times 2^-32, rounded to float", "24 bits times 2^-24", 3e-8,
        0, 0, numbers_below_one, "fraction of numbers that are 1"},
       {"Power-heuristic weights of pdfs from 1e-30 to 1e30", "a^2/(a^2 + b^2)", "1/(1 + (b/a)^2)", INFINITY,
-       1e-5, 2e-7, weights_of_large_densities},
+       1e-5, 2e-7, weights_of_large_pdfs},
       {"Light of 6e-4 sr reflected in a coated diffuse floor", "specular directions have pdf 1",
        "specular directions have MIS weight 1", 1, 0.02, 2e-3, lamp_in_a_mirror, Radiance, Kind::Noisy},
       {"Closed white box that emits, depth 1000", "Russian roulette of 1/2 from the fourth bounce on",

@@ -20,9 +20,9 @@ struct Pool {
 
 }  // namespace
 
-ChiSquareTest::ChiSquareTest(const Quadrature::Function& density, const Vec3f& peak, int depth) {
+ChiSquareTest::ChiSquareTest(const Quadrature::Function& pdf, const Vec3f& peak, int depth) {
   // Errors along a step have random signs, so larger ones per cell average out.
-  const Quadrature quadrature(density, peak, depth > 0 ? 1e-7 : 1e-9, depth);
+  const Quadrature quadrature(pdf, peak, depth > 0 ? 1e-7 : 1e-9, depth);
   for (int row = 0; row < Rows; ++row) {
     for (int column = 0; column < Columns; ++column) {
       probabilities_.push_back(quadrature.over({double(row) / Rows, double(row + 1) / Rows,

@@ -16,7 +16,7 @@ class ChiSquareTest {
   using Sampler = std::function<std::optional<Vec3f>()>;
 
   /// Takes the minimal depth of the quadrature: above 0 for a pdf with steps.
-  ChiSquareTest(const Quadrature::Function& density, const Vec3f& peak, int depth = 0);
+  ChiSquareTest(const Quadrature::Function& pdf, const Vec3f& peak, int depth = 0);
 
   double p_value(const Sampler& sampler, int samples) const;
 

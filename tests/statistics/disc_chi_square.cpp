@@ -10,7 +10,7 @@ namespace statistics {
 using reflectance::DiscGrid;
 using reflectance::Vec3f;
 
-DiscChiSquareTest::DiscChiSquareTest(const std::function<double(const Vec3f&)>& density, const Vec3f& u,
+DiscChiSquareTest::DiscChiSquareTest(const std::function<double(const Vec3f&)>& pdf, const Vec3f& u,
                                      int resolution)
     : cosine_(1), sine_(0), resolution_(resolution), probabilities_(Blocks * Blocks) {
   const float radius = std::hypot(u.x, u.y);
@@ -31,7 +31,7 @@ DiscChiSquareTest::DiscChiSquareTest(const std::function<double(const Vec3f&)>& 
       const double z = std::sqrt(1 - px * px - py * py);
       const Vec3f v(static_cast<float>(cosine_ * px - sine_ * py),
                     static_cast<float>(sine_ * px + cosine_ * py), static_cast<float>(z));
-      probabilities_[block_of(px, py)] += density(v) / v.z * grid.area(x, y);
+      probabilities_[block_of(px, py)] += pdf(v) / v.z * grid.area(x, y);
     }
   }
   probabilities_.push_back(std::max(0.0, 1 - mass()));

@@ -15,8 +15,8 @@ class DiscChiSquareTest {
   using Sampler = std::function<std::optional<reflectance::Vec3f>()>;
 
   /// Takes a solid-angle pdf. The grid of resolution^2 cells is aligned with u's azimuth.
-  DiscChiSquareTest(const std::function<double(const reflectance::Vec3f&)>& density,
-                    const reflectance::Vec3f& u, int resolution);
+  DiscChiSquareTest(const std::function<double(const reflectance::Vec3f&)>& pdf, const reflectance::Vec3f& u,
+                    int resolution);
 
   double p_value(const Sampler& sampler, int samples) const;
 

@@ -77,12 +77,12 @@ class BrightScene {
   }
 
   ErrorCase with(const std::string& name, int samples, float background = 0) const {
-    Look look;
-    look.width = width_;
-    look.height = width_;
-    look.background = background;
-    look.depth = 3;
-    return {{name, scene_of(text_), settings_of(look)}, samples};
+    RenderSetup setup;
+    setup.width = width_;
+    setup.height = width_;
+    setup.background = background;
+    setup.depth = 3;
+    return {{name, scene_of(text_), settings_of(setup)}, samples};
   }
 
  private:

@@ -26,12 +26,12 @@ class Checkpoint : public testing::Test {
                      test::quad("brdf diffuse kd=0.7", "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)"));
 
   static RenderSettings settings(int samples) {
-    test::Look look;
-    look.eye = transport::Vec3f(0, 2, 5);
-    look.width = 45;
-    look.height = 33;
-    look.samples = samples;
-    return test::settings_of(look);
+    test::RenderSetup setup;
+    setup.eye = transport::Vec3f(0, 2, 5);
+    setup.width = 45;
+    setup.height = 33;
+    setup.samples = samples;
+    return test::settings_of(setup);
   }
 
   static Image whole(const transport::CompiledScene& scene, const RenderSettings& settings) {

@@ -207,11 +207,11 @@ TEST(Compile, RendersAMeshLightAndAnInstanceAsWhatTheyStandFor) {
       room + EmittingShape + "transform translation (-1,-1,0) begin " + EmittingShape + "end ";
   const std::string short_way = "def lamp = " + EmittingShape + "begin " + room + "mesh light begin " +
                                 LightShape + "transform translation (-1,-1,0) begin use lamp end end";
-  test::Look look;
-  look.eye = transport::Vec3f(0, -3, 1);
-  look.width = look.height = 8;
-  const transport::Film a = test::render(test::scene_of(short_way), look);
-  const transport::Film b = test::render(test::scene_of(long_way), look);
+  test::RenderSetup setup;
+  setup.eye = transport::Vec3f(0, -3, 1);
+  setup.width = setup.height = 8;
+  const transport::Film a = test::render(test::scene_of(short_way), setup);
+  const transport::Film b = test::render(test::scene_of(long_way), setup);
   EXPECT_GT(test::mean_radiance(b).mean, 0);
   EXPECT_FLOAT_EQ(static_cast<float>(test::mean_radiance(a).mean),
                   static_cast<float>(test::mean_radiance(b).mean));

@@ -108,9 +108,9 @@ class Display : public testing::Test {
   transport::CompiledScene scene_ = test::scene_of(test::LitFloor);
 
   static transport::RenderSettings settings(int samples) {
-    test::Look look = test::look_at_floor(150, 61, samples);
-    look.background = 0.25F;
-    return test::settings_of(look);
+    test::RenderSetup setup = test::floor_setup(150, 61, samples);
+    setup.background = 0.25F;
+    return test::settings_of(setup);
   }
 };
 
@@ -259,11 +259,11 @@ TEST(DisplayAddress, IsReadFromText) {
 
 TEST(DisplayAddress, HasAPortForEachUser) {
   ::unsetenv("GRANADA_DISPLAY_PORT");
-  EXPECT_EQ(transport::usual_display_address().text(), "127.0.0.1:14158");
+  EXPECT_EQ(transport::default_display_address().text(), "127.0.0.1:14158");
   ::setenv("GRANADA_DISPLAY_PORT", "12345", 1);
-  EXPECT_EQ(transport::usual_display_address().text(), "127.0.0.1:12345");
+  EXPECT_EQ(transport::default_display_address().text(), "127.0.0.1:12345");
   ::setenv("GRANADA_DISPLAY_PORT", "none", 1);
-  EXPECT_EQ(transport::usual_display_address().text(), "127.0.0.1:14158");
+  EXPECT_EQ(transport::default_display_address().text(), "127.0.0.1:14158");
   ::unsetenv("GRANADA_DISPLAY_PORT");
 }
 

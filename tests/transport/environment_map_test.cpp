@@ -75,7 +75,7 @@ TEST(EnvironmentMap, DensityIntegratesToOne) {
                                  (std::cos(std::numbers::pi * y / image.height) -
                                   std::cos(std::numbers::pi * (y + 1) / image.height));
       for (int x = 0; x < image.width; ++x) {
-        sum += solid_angle * double(map.density(Vec3f(test::direction_at<double>(image, x + 0.5, y + 0.5))));
+        sum += solid_angle * double(map.pdf(Vec3f(test::direction_at<double>(image, x + 0.5, y + 0.5))));
       }
     }
     EXPECT_NEAR(sum, 1, 1e-5) << image.width << " x " << image.height;
@@ -88,9 +88,9 @@ TEST(EnvironmentMap, SaysOfItsSamplesWhatItSaysOfTheirDirections) {
       const auto sample = map.sample(transport::sobol_point(i, 3).xy());
       ASSERT_TRUE(sample);
       ASSERT_NEAR(sample->direction.length(), 1, 1e-6);
-      ASSERT_EQ(sample->density, map.density(sample->direction)) << sample->direction;
+      ASSERT_EQ(sample->pdf, map.pdf(sample->direction)) << sample->direction;
       ASSERT_EQ(sample->radiance, map.radiance(sample->direction));
-      ASSERT_GT(sample->density, 0);
+      ASSERT_GT(sample->pdf, 0);
       ASSERT_GT(sample->radiance.x, 0);
     }
   }
@@ -101,8 +101,8 @@ TEST(EnvironmentMap, TakesTheEndsOfTheUnitInterval) {
   for (const EnvironmentMap& map : hard_maps()) {
     for (const Vec2f& xi : {Vec2f(0, 0), Vec2f(Last, 0), Vec2f(0, Last), Vec2f(Last, Last)}) {
       const auto sample = map.sample(xi);
-      ASSERT_TRUE(sample && std::isfinite(sample->density));
-      EXPECT_GT(sample->density, 0);
+      ASSERT_TRUE(sample && std::isfinite(sample->pdf));
+      EXPECT_GT(sample->pdf, 0);
     }
   }
 }
@@ -135,7 +135,7 @@ double p_value(const EnvironmentMap& says, const EnvironmentMap& draws, int samp
         (std::cos(std::numbers::pi * row / rows) - std::cos(std::numbers::pi * (row + 1) / rows));
     for (int column = 0; column < columns; ++column) {
       const Vec3f direction(test::direction_at<double>(image, (column + 0.5) / 2, (row + 0.5) / 2));
-      const double expected = samples * solid_angle * double(says.density(direction));
+      const double expected = samples * solid_angle * double(says.pdf(direction));
       const double counted = counts[std::size_t(row) * std::size_t(columns) + std::size_t(column)];
       if (expected < 5) {
         pooled_expected += expected;
@@ -191,7 +191,7 @@ TEST(EnvironmentMap, StratifiedPointsHaveLessVariance) {
       double sum = 0;
       for (std::uint32_t i = 0; i < 256; ++i) {
         const auto sample = map.sample(pair_of(i, run));
-        sum += std::max(0.0F, sample->direction.dot(axis)) * sample->radiance.x / sample->density / 256;
+        sum += std::max(0.0F, sample->direction.dot(axis)) * sample->radiance.x / sample->pdf / 256;
       }
       means.push_back(sum);
     }
@@ -223,10 +223,10 @@ TEST(EnvironmentForASurface, SaysOfItsSamplesWhatItSaysOfTheirDirections) {
       for (std::uint32_t i = 0; i < Count; ++i) {
         const auto sample = map.sample(normal, transport::sobol_point(i, 3).xy());
         ASSERT_TRUE(sample);
-        ASSERT_GT(sample->density, 0);
+        ASSERT_GT(sample->pdf, 0);
         ASSERT_EQ(sample->radiance, map.radiance(sample->direction));
-        const float density = map.density(normal, sample->direction);
-        if (std::abs(density - sample->density) > 1e-5F * density) ++differ;
+        const float pdf = map.pdf(normal, sample->direction);
+        if (std::abs(pdf - sample->pdf) > 1e-5F * pdf) ++differ;
       }
       // Directions that rounding moves across a step of the pdf.
       EXPECT_LE(differ, 20) << map.image().width << " " << normal;
@@ -245,7 +245,7 @@ TEST(EnvironmentForASurface, DrawsWhatIsOverTheHorizon) {
       const Vec2f xi = transport::sobol_point(i, 5).xy();
       const auto add = [&](std::size_t way, const transport::EnvironmentSample& sample) {
         const double value =
-            double(std::max(0.0F, sample.direction.dot(normal)) * sample.radiance.x) / double(sample.density);
+            double(std::max(0.0F, sample.direction.dot(normal)) * sample.radiance.x) / double(sample.pdf);
         mean[way] += value / Count;
         square[way] += value * value / Count;
       };
@@ -273,7 +273,7 @@ TEST(CosineWarps, WarpWithTheirDensity) {
     for (int cell = 0; cell < Cells * Cells; ++cell) {
       const Vec2f middle((static_cast<float>(cell % Cells) + 0.5F) / Cells,
                          (static_cast<float>(cell / Cells) + 0.5F) / Cells);
-      const double expected = double(warps.density(normal, middle)) / (Cells * Cells);
+      const double expected = double(warps.pdf(normal, middle)) / (Cells * Cells);
       sum += expected;
       ASSERT_NEAR(counts[static_cast<std::size_t>(cell)] / double(Count), expected, 2e-5 + 0.05 * expected);
     }
@@ -286,7 +286,7 @@ TEST(EnvironmentMap, ThatIsBlackHasNoSamples) {
   EXPECT_TRUE(map.is_black());
   EXPECT_FALSE(map.sample(Vec2f(0.5F, 0.5F)));
   EXPECT_FALSE(map.sample(Vec3f(0, 1, 0), {0.5F, 0.5F}));
-  EXPECT_EQ(map.density({0, 1, 0}), 0);
+  EXPECT_EQ(map.pdf({0, 1, 0}), 0);
   EXPECT_EQ(map.radiance({0, 1, 0}), Rgb(0));
 }
 
@@ -303,7 +303,7 @@ TEST(EnvironmentMap, ReportsTexelsThatCannotBe) {
                                        ": warning: 3 of 4 texels of the environment map are negative or "
                                        "not finite, and count as 0 there\n");
   EXPECT_EQ(map->image().pixels, (std::vector<Rgb>{Rgb(1), Rgb(0), Rgb(0), Rgb(0)}));
-  EXPECT_NEAR(map->density({-1e-3F, 0, 1}), 1 / std::numbers::pi, 1e-6);  // a quarter of the sphere
+  EXPECT_NEAR(map->pdf({-1e-3F, 0, 1}), 1 / std::numbers::pi, 1e-6);  // a quarter of the sphere
 }
 
 }  // namespace

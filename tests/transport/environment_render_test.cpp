@@ -7,7 +7,7 @@
 namespace {
 
 using reflectance::Resampling;
-using test::Look;
+using test::RenderSetup;
 using transport::CompiledScene;
 using transport::EnvironmentMap;
 using transport::Film;
@@ -34,9 +34,9 @@ Film render(const CompiledScene& scene, const RenderSettings& settings) {
   return render.film();
 }
 
-Film render_in(const CompiledScene& scene, const Look& look, std::shared_ptr<const EnvironmentMap> map,
-               const std::optional<Resampling>& resampling = {}) {
-  RenderSettings settings = test::settings_of(look);
+Film render_in(const CompiledScene& scene, const RenderSetup& setup,
+               std::shared_ptr<const EnvironmentMap> map, const std::optional<Resampling>& resampling = {}) {
+  RenderSettings settings = test::settings_of(setup);
   settings.integrator.environment = std::move(map);
   settings.integrator.resampling = resampling;
   return render(scene, settings);
@@ -46,11 +46,11 @@ const std::vector<std::optional<Resampling>> Ways = {{}, Resampling{1, 1}, Resam
 
 TEST(EnvironmentFurnace, WhiteSphereVanishes) {
   const CompiledScene scene = test::scene_of(test::sphere("brdf diffuse kd=1 pdf diffuse", 40, false));
-  Look look;
-  look.samples = 1024;
-  look.width = look.height = 16;
+  RenderSetup setup;
+  setup.samples = 1024;
+  setup.width = setup.height = 16;
   for (const auto& way : Ways) {
-    const Film film = render_in(scene, look, constant_map(), way);
+    const Film film = render_in(scene, setup, constant_map(), way);
     const Image mean = film.mean();
     const Image variance = film.variance();
     for (std::size_t i = 0; i < mean.pixels.size(); ++i) {
@@ -67,21 +67,21 @@ TEST(EnvironmentFurnace, SphereShowsItsAlbedo) {
   for (const char* brdf : {"diffuse kd=0.7", "ward sx=0.2 sy=0.2 ks=0.5 kd=0.3", "phong n=100 ks=0.4 kd=0.6",
                            "coupled Rm=1 Ro=0.05"}) {
     const CompiledScene scene = test::scene_of(test::sphere(fmt::format("brdf {}", brdf), 60, true));
-    Look look;
-    look.width = look.height = 4;
-    look.samples = 4096;
-    look.depth = 1;
-    look.field_of_view = 0.001F;
+    RenderSetup setup;
+    setup.width = setup.height = 4;
+    setup.samples = 4096;
+    setup.depth = 1;
+    setup.field_of_view = 0.001F;
     const float sine = 0.6F;
-    look.eye = Vec3f(0, sine, 4);
-    look.target = Vec3f(0, sine, 0);
-    const auto point = scene.intersect({look.eye, Vec3f(0, 0, -1)});
+    setup.eye = Vec3f(0, sine, 4);
+    setup.target = Vec3f(0, sine, 0);
+    const auto point = scene.intersect({setup.eye, Vec3f(0, 0, -1)});
     ASSERT_TRUE(point);
     const float cosine = point->shading_normal.z;
     const Vec3f u(std::sqrt(1 - cosine * cosine), 0, cosine);
     const double expected = reflectance::mean(reflectance::albedo(*scene.reflector(*point->surface), u));
     for (const auto& way : Ways) {
-      const test::Estimate estimate = test::mean_radiance(render_in(scene, look, constant_map(), way));
+      const test::Estimate estimate = test::mean_radiance(render_in(scene, setup, constant_map(), way));
       EXPECT_NEAR(estimate.mean, expected, 5 * estimate.deviation + 2e-3 * expected) << brdf;
       EXPECT_LT(estimate.deviation, 0.01 * expected) << brdf;
     }
@@ -96,14 +96,14 @@ TEST(EnvironmentLight, IsTheSameHoweverItIsSampled) {
   const std::string ball = test::sphere("brdf ward sx=0.3 sy=0.3 ks=0.4 kd=0.4", 20, true);
   for (const bool has_light : {false, true}) {
     const CompiledScene scene = test::scene_of((has_light ? light : "") + floor + ball);
-    Look look;
-    look.eye = Vec3f(0, 1, 5);
-    look.samples = 576;
-    look.depth = 3;
-    look.width = look.height = 24;
+    RenderSetup setup;
+    setup.eye = Vec3f(0, 1, 5);
+    setup.samples = 576;
+    setup.depth = 3;
+    setup.width = setup.height = 24;
     std::vector<test::Estimate> estimates;
     for (const auto& way : Ways) {
-      estimates.push_back(test::mean_radiance(render_in(scene, look, sun_map(100), way)));
+      estimates.push_back(test::mean_radiance(render_in(scene, setup, sun_map(100), way)));
       EXPECT_LT(estimates.back().deviation, 0.02 * estimates[0].mean);
       EXPECT_NEAR(estimates.back().mean, estimates[0].mean,
                   4.5 * std::hypot(estimates.back().deviation, estimates[0].deviation))
@@ -117,17 +117,17 @@ TEST(EnvironmentLight, IsTheSameHoweverItIsSampled) {
 TEST(EnvironmentLight, IsSeenDirectlyAndInMirrors) {
   const CompiledScene scene =
       test::scene_of(test::quad("brdf specular ks=0.5", "(-9,0,9) (9,0,9) (9,0,-9) (-9,0,-9)"));
-  Look look;
-  look.eye = Vec3f(0, 1, 0);
-  look.field_of_view = 10;
-  look.samples = 4;
+  RenderSetup setup;
+  setup.eye = Vec3f(0, 1, 0);
+  setup.field_of_view = 10;
+  setup.samples = 4;
   const auto map = std::make_shared<EnvironmentMap>(
       Image{1, 4, {Rgb(8), Rgb(6), Rgb(4), Rgb(2)}});  // straight up 8, straight down 2
   for (const auto& way : Ways) {
-    look.target = Vec3f(0, 2, 0);
-    for (const Rgb& pixel : render_in(scene, look, map, way).mean().pixels) ASSERT_EQ(pixel, Rgb(8));
-    look.target = Vec3f(0, 0, 0);
-    for (const Rgb& pixel : render_in(scene, look, map, way).mean().pixels) ASSERT_EQ(pixel, Rgb(4));
+    setup.target = Vec3f(0, 2, 0);
+    for (const Rgb& pixel : render_in(scene, setup, map, way).mean().pixels) ASSERT_EQ(pixel, Rgb(8));
+    setup.target = Vec3f(0, 0, 0);
+    for (const Rgb& pixel : render_in(scene, setup, map, way).mean().pixels) ASSERT_EQ(pixel, Rgb(4));
   }
 }
 
@@ -135,28 +135,29 @@ TEST(EnvironmentLight, MayBeBlack) {
   const CompiledScene scene = test::scene_of(test::sphere("brdf diffuse kd=1", 20, false));
   const auto black = std::make_shared<EnvironmentMap>(Image{2, 1, {Rgb(0), Rgb(0)}});
   for (const auto& way : Ways) {
-    for (const Rgb& pixel : render_in(scene, Look(), black, way).mean().pixels) ASSERT_EQ(pixel, Rgb(0));
+    for (const Rgb& pixel : render_in(scene, RenderSetup(), black, way).mean().pixels)
+      ASSERT_EQ(pixel, Rgb(0));
   }
 }
 
 TEST(EnvironmentLight, DoesNotDependOnTheNumberOfThreads) {
   const CompiledScene scene = test::scene_of(test::sphere("brdf ward sx=0.3 ks=0.4 kd=0.4", 20, true));
   for (const auto& way : Ways) {
-    Look look;
-    look.threads = 1;
-    const Image one = render_in(scene, look, sun_map(100), way).mean();
-    look.threads = 5;
-    EXPECT_EQ(render_in(scene, look, sun_map(100), way).mean().pixels, one.pixels);
+    RenderSetup setup;
+    setup.threads = 1;
+    const Image one = render_in(scene, setup, sun_map(100), way).mean();
+    setup.threads = 5;
+    EXPECT_EQ(render_in(scene, setup, sun_map(100), way).mean().pixels, one.pixels);
   }
 }
 
 TEST(Backplate, IsSeenAndLightsNothing) {
   const CompiledScene scene = test::scene_of(test::sphere("brdf diffuse kd=1", 20, false));
-  Look look;
-  look.width = 20;
-  look.height = 10;
-  look.field_of_view = 90;
-  RenderSettings settings = test::settings_of(look);
+  RenderSetup setup;
+  setup.width = 20;
+  setup.height = 10;
+  setup.field_of_view = 90;
+  RenderSettings settings = test::settings_of(setup);
   settings.backplate =
       std::make_shared<Image>(Image{2, 2, {Rgb(1, 0, 0), Rgb(0, 1, 0), Rgb(0, 0, 1), Rgb(1, 1, 1)}});
   const Image image = render(scene, settings).mean();
@@ -169,10 +170,10 @@ TEST(Backplate, IsSeenAndLightsNothing) {
 
 TEST(Render, MeasuresTheTimeSpentInSampling) {
   const CompiledScene scene = test::scene_of(test::sphere("brdf ward sx=0.3 ks=0.4 kd=0.4", 20, true));
-  Look look;
-  look.threads = 1;
-  look.samples = 256;
-  RenderSettings settings = test::settings_of(look);
+  RenderSetup setup;
+  setup.threads = 1;
+  setup.samples = 256;
+  RenderSettings settings = test::settings_of(setup);
   transport::Render plain(scene, settings);
   plain.run();
   EXPECT_EQ(plain.sampling_seconds(), 0);

@@ -15,10 +15,10 @@ inline SampleScene caustic_scene() {
   const std::string text = "light begin rgb (60,60,60) (-0.3,3,-0.3) (0.6,0,0) (0,0,0.6) end\n" +
                            quad("brdf diffuse kd=0.6", "(-4,-1,4) (4,-1,4) (4,-1,-4) (-4,-1,-4)") +
                            sphere("brdf specular ks=0.9", 16, true);
-  Look look;
-  look.eye = transport::Vec3f(0, 2, 5);
-  look.width = 48;
-  return {"caustic", scene_of(text), settings_of(look)};
+  RenderSetup setup;
+  setup.eye = transport::Vec3f(0, 2, 5);
+  setup.width = 48;
+  return {"caustic", scene_of(text), settings_of(setup)};
 }
 
 /// A glossy ball on a diffuse floor under a dim sky with a sun.
@@ -27,10 +27,10 @@ inline SampleScene sun_scene() {
   image.pixels[8 * 64 + 42] = transport::Rgb(300, 300, 200);
   const std::string text = quad("brdf diffuse kd=0.6", "(-4,-1,4) (4,-1,4) (4,-1,-4) (-4,-1,-4)") +
                            sphere("brdf ward sx=0.1 sy=0.3 ks=0.5 kd=0.3", 16, true);
-  Look look;
-  look.eye = transport::Vec3f(0, 2, 5);
-  look.width = 48;
-  transport::RenderSettings settings = settings_of(look);
+  RenderSetup setup;
+  setup.eye = transport::Vec3f(0, 2, 5);
+  setup.width = 48;
+  transport::RenderSettings settings = settings_of(setup);
   settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(std::move(image));
   return {"sun", scene_of(text), settings};
 }

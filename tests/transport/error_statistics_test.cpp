@@ -97,7 +97,7 @@ TEST(TargetError, HoldsOver200SeedsOfFourScenes) {
   EXPECT_GE(all.coverage(), 0.93);
   EXPECT_GT(all.stated_over_true(), 0.87);
   EXPECT_LT(all.stated_over_true(), 1.3);
-  EXPECT_LE(all.missed_share(), 0.07);
+  EXPECT_LE(all.missed_fraction(), 0.07);
 }
 
 // With probability 1/1,000, one of 144 blocks is off by 4.5 standard deviations.

@@ -35,7 +35,7 @@ struct ErrorStudy {
   double mean_quotient() const { return quotients / runs; }
   double mean_width() const { return widths / runs; }
   double stated_over_true() const { return std::sqrt(stated / actual); }
-  double missed_share() const { return static_cast<double>(missed) / stopped; }
+  double missed_fraction() const { return static_cast<double>(missed) / stopped; }
 };
 
 /// Images with different seeds; the truth for one is the mean of all others.

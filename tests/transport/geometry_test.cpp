@@ -69,7 +69,7 @@ Leaks leaks(const CompiledScene& scene, const grf::Matrix44d& map, int count) {
         point->geometric_normal.dot(inside) < 0 ? -point->geometric_normal : point->geometric_normal;
     if (direction.dot(normal) < 0) direction = -direction;
     const transport::Ray onwards = {point->origin_towards(direction), direction, point->id};
-    if (scene.escapes(onwards) || !scene.intersect(onwards)) ++leaks.after_corners_or_edges;
+    if (scene.is_unoccluded(onwards) || !scene.intersect(onwards)) ++leaks.after_corners_or_edges;
   }
   return leaks;
 }
@@ -143,10 +143,10 @@ TEST(ClosedBox, LetsNoRayOutOfAnInstance) {
 double sphere_brightness(const Vec3f& centre, bool normals) {
   const CompiledScene scene =
       test::scene_of(placed(test::sphere("brdf diffuse kd=1", 24, normals), Vec3f(1), Vec3f(0), centre));
-  test::Look look;
-  look.background = 1;
-  look.samples = 8;
-  transport::RenderSettings settings = test::settings_of(look);
+  test::RenderSetup setup;
+  setup.background = 1;
+  setup.samples = 8;
+  transport::RenderSettings settings = test::settings_of(setup);
   settings.view.eye = grf::Vec3d(centre) + grf::Vec3d(0, 0, 4);
   settings.view.target = grf::Vec3d(centre);
   transport::Render render(scene, settings);
@@ -167,12 +167,12 @@ TEST(FarScene, HasNoShadowsOfItsOwnWhereItCannotBeShifted) {
   const CompiledScene scene =
       test::scene_of(sphere + placed(sphere, Vec3f(1000), Vec3f(0), Vec3f(1e6F, 1e6F, 0)));
   EXPECT_EQ(scene.origin(), grf::Vec3d(0));
-  test::Look look;
-  look.eye = Vec3f(1e6F, 1e6F, 4000);
-  look.target = Vec3f(1e6F, 1e6F, 0);
-  look.background = 1;
-  look.samples = 8;
-  EXPECT_NEAR(test::mean_radiance(test::render(scene, look)).mean, 1, 1e-4);
+  test::RenderSetup setup;
+  setup.eye = Vec3f(1e6F, 1e6F, 4000);
+  setup.target = Vec3f(1e6F, 1e6F, 0);
+  setup.background = 1;
+  setup.samples = 8;
+  EXPECT_NEAR(test::mean_radiance(test::render(scene, setup)).mean, 1, 1e-4);
 }
 
 TEST(FarScene, IsTheSameAsTheNearOne) {
@@ -209,8 +209,8 @@ TEST(Ray, DoesNotMeetTheTriangleThatItLeaves) {
   const Ray down{Vec3f(0.7F, 0.2F, 1), Vec3f(0, 0, -1)};
   EXPECT_TRUE(scene.intersect(down));
   EXPECT_FALSE(scene.intersect({down.origin, down.direction, point->id}));
-  EXPECT_FALSE(scene.escapes(down));
-  EXPECT_TRUE(scene.escapes({down.origin, down.direction, point->id}));
+  EXPECT_FALSE(scene.is_unoccluded(down));
+  EXPECT_TRUE(scene.is_unoccluded({down.origin, down.direction, point->id}));
 }
 
 // Slivers and degenerate faces do no harm.

@@ -49,14 +49,14 @@ TEST(Instance, IsMetWhereItsCopyWouldBe) {
 
 TEST(Instance, RendersAsItsCopyDoes) {
   const std::string text = spheres("brdf diffuse kd=0.7 light rgb (1,2,3)", false);
-  test::Look look;
-  look.eye = Vec3f(0, 1, 6);
-  look.samples = 64;
-  look.background = 0.2F;
+  test::RenderSetup setup;
+  setup.eye = Vec3f(0, 1, 6);
+  setup.samples = 64;
+  setup.background = 0.2F;
   const test::Estimate a =
-      test::mean_radiance(test::render(test::scene_of(text, test::copies_up_to(0)), look));
+      test::mean_radiance(test::render(test::scene_of(text, test::copies_up_to(0)), setup));
   const test::Estimate b =
-      test::mean_radiance(test::render(test::scene_of(text, test::copies_up_to(1'000'000)), look));
+      test::mean_radiance(test::render(test::scene_of(text, test::copies_up_to(1'000'000)), setup));
   EXPECT_GT(b.mean, 0.1);
   EXPECT_NEAR(a.mean, b.mean, 4 * (a.deviation + b.deviation));
   EXPECT_NEAR(a.mean, b.mean, 1e-3 * b.mean);

@@ -7,13 +7,13 @@
 
 namespace {
 
-using test::Look;
+using test::RenderSetup;
 using transport::CompiledScene;
 using transport::Integrator;
 using transport::IntegratorSettings;
 using transport::Kernel;
 using transport::PathEffects;
-using transport::PathNumbers;
+using transport::PathSampler;
 using transport::Rgb;
 
 /// A room open to the viewer, with an emitting ceiling that rays often hit.
@@ -24,10 +24,10 @@ std::string room(const std::string& brdf) {
          "light begin rgb (2,3,4) (-1,1,-1) (2,0,0) (0,0,2) end\n";
 }
 
-test::Estimate mean_of(const CompiledScene& scene, const Look& look, IntegratorSettings integrator) {
-  transport::RenderSettings settings = test::settings_of(look);
-  integrator.depth = look.depth;
-  integrator.background = Rgb(look.background);
+test::Estimate mean_of(const CompiledScene& scene, const RenderSetup& setup, IntegratorSettings integrator) {
+  transport::RenderSettings settings = test::settings_of(setup);
+  integrator.depth = setup.depth;
+  integrator.background = Rgb(setup.background);
   settings.integrator = integrator;
   transport::Render render(scene, settings);
   render.run();
@@ -42,17 +42,17 @@ TEST_P(Integrators, NaiveAndPathAgree) {
   compile_settings.missed_part = reflectance::MissedPart::Missing;
   const CompiledScene scene = test::scene_of(room(GetParam()), compile_settings);
   for (const int depth : {0, 1, 2, 4}) {
-    Look look;
-    look.depth = depth;
-    look.background = 0.3F;
-    look.samples = 256;
-    const test::Estimate path = mean_of(scene, look, {});
-    look.samples = 16;
-    look.seed = 1;
+    RenderSetup setup;
+    setup.depth = depth;
+    setup.background = 0.3F;
+    setup.samples = 256;
+    const test::Estimate path = mean_of(scene, setup, {});
+    setup.samples = 16;
+    setup.seed = 1;
     IntegratorSettings naive;
     naive.integrator = Integrator::Naive;
     naive.secondary_rays = 64;
-    const test::Estimate other = mean_of(scene, look, naive);
+    const test::Estimate other = mean_of(scene, setup, naive);
     // Four standard deviations, and the uncertainty of the deviations themselves.
     const double deviation = std::hypot(path.deviation, other.deviation);
     EXPECT_NEAR(path.mean, other.mean, 5 * deviation) << "depth " << depth;
@@ -74,12 +74,12 @@ TEST(Naive, ShowsWhatAWrongSchemeMisses) {
   ASSERT_TRUE(scheme) << diagnostics.to_text();
   wrong.scheme = {*scheme, {}};
   wrong.missed_part = reflectance::MissedPart::Missing;
-  Look look;
-  look.depth = 1;
+  RenderSetup setup;
+  setup.depth = 1;
   IntegratorSettings naive;
   naive.integrator = Integrator::Naive;
-  const double right = mean_of(test::scene_of(text), look, naive).mean;
-  const double missing = mean_of(test::scene_of(text, wrong), look, naive).mean;
+  const double right = mean_of(test::scene_of(text), setup, naive).mean;
+  const double missing = mean_of(test::scene_of(text, wrong), setup, naive).mean;
   EXPECT_LT(missing, 0.8 * right);
 }
 
@@ -89,9 +89,9 @@ TEST(Normals, AreTheComponentsOnTheViewersSide) {
   normals.integrator = Integrator::Normals;
   for (const float side : {1.0F, -1.0F}) {
     transport::RayCounter counter;
-    PathNumbers numbers(0, 0);
+    PathSampler sampler(0, 0);
     const transport::Ray ray = {{0, 0, 3 * side}, {0.1F, 0.2F, -side}};
-    EXPECT_EQ(kernel_of(scene, normals)(scene, normals, ray, {}, numbers, counter), Rgb(0, 0, side));
+    EXPECT_EQ(kernel_of(scene, normals)(scene, normals, ray, {}, sampler, counter), Rgb(0, 0, side));
   }
 }
 
@@ -102,7 +102,7 @@ TEST(Path, LightsNoFaceByItself) {
                                 "(-0.36749107,0.9572506,1.5854685)"
                                 "(0.22587675,0.43399888,-0.12987137)(0.57726663,-1.4840348,-0.4794128)"
                                 "(-0.016101182,-0.9607831,1.2359271)"));
-  const transport::Image image = test::render(scene, Look()).mean();
+  const transport::Image image = test::render(scene, RenderSetup()).mean();
   // The other triangle of the quad may be visible edge-on, as rounding bends the two.
   for (const Rgb& pixel : image.pixels) EXPECT_LT(pixel.length(), 1e-9F);
 }
@@ -127,8 +127,8 @@ TEST(Kernels, GiveTheFullKernelsImage) {
     const Kernel full = transport::path_kernel({});
     EXPECT_NE(kernel, full) << one.name;
     for (std::uint32_t i = 0; i < 20000; ++i) {
-      PathNumbers a(7, i);
-      PathNumbers b(7, i);
+      PathSampler a(7, i);
+      PathSampler b(7, i);
       const auto place = a.next();
       b.next();
       const transport::Ray ray = {{0, 0, 4}, {place.x - 0.5F, place.y - 0.5F, -1.5F}};

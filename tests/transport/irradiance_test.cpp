@@ -11,7 +11,7 @@ namespace {
 
 using test::bake_settings;
 using test::BakeScene;
-using test::Look;
+using test::RenderSetup;
 using transport::Bake;
 using transport::CompiledScene;
 using transport::Rgb;
@@ -30,8 +30,8 @@ CompiledScene compiled_with_irradiance(const std::string& text) {
   return std::move(*compiled);
 }
 
-transport::Image image_of(const CompiledScene& scene, const Look& look, bool uses_irradiance) {
-  transport::RenderSettings settings = test::settings_of(look);
+transport::Image image_of(const CompiledScene& scene, const RenderSetup& setup, bool uses_irradiance) {
+  transport::RenderSettings settings = test::settings_of(setup);
   settings.integrator.uses_irradiance = uses_irradiance;
   transport::Render render(scene, settings);
   render.run();
@@ -46,12 +46,12 @@ std::string floor_with_irradiance(const std::string& attributes) {
 
 /// The radiance from that floor's point (0,0,0) towards the eye.
 Rgb seen(const std::string& text, const Vec3f& eye, bool uses_irradiance = true, int depth = 5) {
-  Look look;
-  look.eye = eye;
-  look.width = look.height = 1;
-  look.field_of_view = 0.01F;
-  look.depth = depth;
-  return image_of(compiled_with_irradiance(text), look, uses_irradiance).pixels[0];
+  RenderSetup setup;
+  setup.eye = eye;
+  setup.width = setup.height = 1;
+  setup.field_of_view = 0.01F;
+  setup.depth = depth;
+  return image_of(compiled_with_irradiance(text), setup, uses_irradiance).pixels[0];
 }
 
 TEST(Irradiance, IsTheLightOfAMatteSurface) {
@@ -86,11 +86,11 @@ TEST(Irradiance, IsNotForSurfacesThatMirror) {
 TEST(Irradiance, IsNotForPathsThatWereScattered) {
   const std::string wall = floor_with_irradiance("brdf diffuse kd=0.5");
   const std::string glossy = test::quad("brdf ward sx=0.1 ks=0.9", "(-9,-9,5) (-9,9,5) (9,9,5) (9,-9,5)");
-  Look look;
-  look.eye = Vec3f(0, 0, 1);
-  look.target = Vec3f(0, 0, 5);
-  look.width = look.height = 4;
-  for (const Rgb& pixel : image_of(compiled_with_irradiance(wall + glossy), look, true).pixels) {
+  RenderSetup setup;
+  setup.eye = Vec3f(0, 0, 1);
+  setup.target = Vec3f(0, 0, 5);
+  setup.width = setup.height = 4;
+  for (const Rgb& pixel : image_of(compiled_with_irradiance(wall + glossy), setup, true).pixels) {
     EXPECT_EQ(pixel, Rgb(0));
   }
 }
@@ -98,12 +98,12 @@ TEST(Irradiance, IsNotForPathsThatWereScattered) {
 TEST(Irradiance, IsSeenInMirrors) {
   const std::string mirror = test::quad("brdf specular", "(-9,-9,5) (-9,9,5) (9,9,5) (9,-9,5)");
   const std::string text = floor_with_irradiance("brdf diffuse kd=0.5") + mirror;
-  Look look;
-  look.eye = Vec3f(0, 0, 1);
-  look.target = Vec3f(0, 0, 5);
-  look.width = look.height = 1;
-  look.field_of_view = 0.01F;
-  const Rgb in_mirror = image_of(compiled_with_irradiance(text), look, true).pixels[0];
+  RenderSetup setup;
+  setup.eye = Vec3f(0, 0, 1);
+  setup.target = Vec3f(0, 0, 5);
+  setup.width = setup.height = 1;
+  setup.field_of_view = 0.01F;
+  const Rgb in_mirror = image_of(compiled_with_irradiance(text), setup, true).pixels[0];
   const Rgb directly = seen(text, Vec3f(0, 0, 4));
   EXPECT_NEAR(directly.x, 2 * 0.5 / Pi, 1e-4);
   EXPECT_GT(in_mirror.x, 0.5F * directly.x);
@@ -120,15 +120,15 @@ TEST(Irradiance, ShowsTheRoomAsItIs) {
   bake.run();
   const CompiledScene baked =
       compiled_with_irradiance(grf::to_text(transport::with_irradiance(room.scene, bake).scene));
-  Look look;
-  look.eye = Vec3f(0.5F, 0.4F, 0.97F);
-  look.target = Vec3f(0.5F, 0.4F, 0);
-  look.field_of_view = 70;
-  look.depth = 4;
-  look.samples = 1024;
-  const transport::Image direct = image_of(baked, look, false);
-  look.samples = 16;
-  const transport::Image shown = image_of(baked, look, true);
+  RenderSetup setup;
+  setup.eye = Vec3f(0.5F, 0.4F, 0.97F);
+  setup.target = Vec3f(0.5F, 0.4F, 0);
+  setup.field_of_view = 70;
+  setup.depth = 4;
+  setup.samples = 1024;
+  const transport::Image direct = image_of(baked, setup, false);
+  setup.samples = 16;
+  const transport::Image shown = image_of(baked, setup, true);
   double sum = 0;
   double shown_sum = 0;
   int far_off = 0;

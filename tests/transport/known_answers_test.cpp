@@ -12,7 +12,7 @@
 
 namespace {
 
-using test::Look;
+using test::RenderSetup;
 using transport::CompiledScene;
 using transport::Vec3f;
 
@@ -66,16 +66,16 @@ std::string floor_of(const std::string& attributes) {
 }
 
 /// The floor seen through a pinhole from one direction: its front is up z, and x is x.
-Look look_from(const Vec3f& u) {
-  Look look;
-  look.eye = FloorCentre + 4.0F * u;
-  look.target = FloorCentre;
-  look.width = look.height = 4;
-  look.samples = 512;
-  look.depth = 1;
-  look.background = 1;
-  look.field_of_view = 0.001F;
-  return look;
+RenderSetup look_from(const Vec3f& u) {
+  RenderSetup setup;
+  setup.eye = FloorCentre + 4.0F * u;
+  setup.target = FloorCentre;
+  setup.width = setup.height = 4;
+  setup.samples = 512;
+  setup.depth = 1;
+  setup.background = 1;
+  setup.field_of_view = 0.001F;
+  return setup;
 }
 
 /// The mean albedo over a sphere's disc as seen from far away: the radius is the sine of the angle.
@@ -114,14 +114,14 @@ class KnownBrdf {
   void compare_sphere(const CompiledScene& scene) const {
     if (reflectance::is_anisotropic(known_.brdf()))
       return;  // the image depends on the orientation of the frame
-    Look look;
-    look.eye = Vec3f(0, 0, 1000);
-    look.field_of_view = static_cast<float>(2 * std::atan(1.0 / 1000) * 180 / M_PI);
-    look.width = look.height = 32;
-    look.samples = 36;
-    look.depth = 1;
-    look.background = 1;
-    const test::Estimate shown = test::mean_radiance(test::render(scene, look));
+    RenderSetup setup;
+    setup.eye = Vec3f(0, 0, 1000);
+    setup.field_of_view = static_cast<float>(2 * std::atan(1.0 / 1000) * 180 / M_PI);
+    setup.width = setup.height = 32;
+    setup.samples = 36;
+    setup.depth = 1;
+    setup.background = 1;
+    const test::Estimate shown = test::mean_radiance(test::render(scene, setup));
     const double disc = M_PI / 4;  // of the image
     const double expected = disc * albedo_over_disc(known_) + 1 - disc;
     // Even 120 rows of facets hide what interpolated normals reflect below them.

@@ -42,13 +42,13 @@ std::string floor_of(const std::string& brdf) {
 
 /// The floor's centre, seen from beside the lamp.
 RenderSettings settings_under(float map, int depth) {
-  test::Look look;
-  look.eye = Vec3f(4, 0, 1);
-  look.width = look.height = 4;
-  look.samples = 1024;
-  look.depth = depth;
-  look.field_of_view = 0.01F;
-  RenderSettings settings = test::settings_of(look);
+  test::RenderSetup setup;
+  setup.eye = Vec3f(4, 0, 1);
+  setup.width = setup.height = 4;
+  setup.samples = 1024;
+  setup.depth = depth;
+  setup.field_of_view = 0.01F;
+  RenderSettings settings = test::settings_of(setup);
   settings.integrator.environment =
       std::make_shared<EnvironmentMap>(Image{4, 2, std::vector<Rgb>(8, Rgb(map))});
   return settings;

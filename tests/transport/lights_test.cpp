@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "renderer/transport/lights/environment_share.h"
+#include "renderer/transport/lights/environment_probability.h"
 #include "renderer/transport/sobol.h"
 #include "tests/transport/solid_angles.h"
 
@@ -67,7 +67,7 @@ struct Irradiance {
       const auto light = lights.sample(from, normal, choice, {x, number(random)});
       if (!light) continue;
       const double value =
-          double(light->radiance.x) * std::max(0.0F, light->direction.dot(normal)) / double(light->density);
+          double(light->radiance.x) * std::max(0.0F, light->direction.dot(normal)) / double(light->pdf);
       mean += value / samples;
       squares += value * value / samples;
     }
@@ -145,7 +145,7 @@ TEST(Lights, GiveNothingFromBehindFromTheirPlaneAndUnderTheHorizon) {
   EXPECT_FALSE(lights.sample(Vec3f(0.2F, 0.3F, 2), up, 0.5F, {0.5F, 0.5F}));
   EXPECT_FALSE(lights.sample(Square.corner, up, 0.5F, {0.5F, 0.5F}));
   EXPECT_FALSE(lights.sample(Square.corner + Square.edge1, up, 0.5F, {0.5F, 0.5F}));
-  EXPECT_EQ(lights.density(Vec3f(0, 0, 3), -up, 0, {0, 0, -1}), 0);
+  EXPECT_EQ(lights.pdf(Vec3f(0, 0, 3), -up, 0, {0, 0, -1}), 0);
 }
 
 rc::Gen<std::vector<Emitter>> any_emitters() {
@@ -180,11 +180,11 @@ RC_GTEST_PROP(Lights, SayOfTheirSamplesWhatTheySayOfDirections, ()) {
     const Vec3f normal = (Vec3f(b.y, b.z, b.w) * 2.0F - Vec3f(1)).normalized();
     const auto light = lights.sample(from, normal, a.z, a.xy());
     if (!light) continue;
-    RC_ASSERT(light->density > 0);
-    RC_ASSERT(std::isfinite(1 / light->density));
+    RC_ASSERT(light->pdf > 0);
+    RC_ASSERT(std::isfinite(1 / light->pdf));
     RC_ASSERT(std::abs(light->direction.length() - 1) < 1e-6F);
-    const float density = lights.density(from, normal, light->emitter, light->direction);
-    RC_ASSERT(std::abs(density - light->density) <= 1e-5F * density);
+    const float pdf = lights.pdf(from, normal, light->emitter, light->direction);
+    RC_ASSERT(std::abs(pdf - light->pdf) <= 1e-5F * pdf);
     // The position lies in the sampled direction, and on the light.
     const Emitter& emitter = lights[light->emitter];
     const Vec3f to_light = light->position - from;
@@ -201,7 +201,7 @@ TEST(EnvironmentShare, FollowsThePowers) {
   const Lights lights({Square});  // 3 on an area of 4
   const auto share = [&](float radiance, const Lights& others) {
     const transport::EnvironmentMap map(transport::Image{2, 1, {Rgb(radiance), Rgb(radiance)}});
-    return transport::environment_share(&map, others, bounds);
+    return transport::environment_probability(&map, others, bounds);
   };
   // 12 pi, compared with a disc of radius sqrt(3) under 4 pi times the radiance.
   EXPECT_NEAR(share(1 / std::numbers::pi_v<float>, lights), 0.5, 1e-5);
@@ -210,7 +210,7 @@ TEST(EnvironmentShare, FollowsThePowers) {
   EXPECT_FLOAT_EQ(share(1e-6F, lights), 0.2F);
   EXPECT_EQ(share(1, Lights()), 1);
   EXPECT_EQ(share(0, lights), 0);
-  EXPECT_EQ(transport::environment_share(nullptr, lights, bounds), 0);
+  EXPECT_EQ(transport::environment_probability(nullptr, lights, bounds), 0);
 }
 
 TEST(Lights, TakeLittleMemory) {

@@ -8,7 +8,7 @@
 
 namespace {
 
-using test::PlannedLook;
+using test::PlannedRender;
 using test::PlannedScene;
 using transport::Vec3f;
 
@@ -43,15 +43,15 @@ std::vector<std::pair<std::string, std::string>> lights_that_shine(bool up) {
 
 /// A floor at y = 0, whose centre is visible.
 PlannedScene planned(const std::string& light, const Vec3f& scale) {
-  PlannedLook look;
-  look.eye = Vec3f(3, 0.5F, 0);
-  look.width = look.height = 4;
-  look.samples = 64;
-  look.field_of_view = 0.01F;
-  look.most_copied_triangles = 0;
+  PlannedRender setup;
+  setup.eye = Vec3f(3, 0.5F, 0);
+  setup.width = setup.height = 4;
+  setup.samples = 64;
+  setup.field_of_view = 0.01F;
+  setup.most_copied_triangles = 0;
   return PlannedScene(test::quad("brdf diffuse kd=0.6", "(-1,0,1) (1,0,1) (1,0,-1) (-1,0,-1)") +
                           test::placed(light, scale, Vec3f(0), Vec3f(0)),
-                      look);
+                      setup);
 }
 
 // The cosine-weighted fraction of the hemisphere over the floor's centre that a parallel square of half side

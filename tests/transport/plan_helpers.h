@@ -15,7 +15,7 @@ using transport::Effect;
 using transport::EffectSet;
 
 /// The render options that affect a plan.
-struct PlannedLook : Look {
+struct PlannedRender : RenderSetup {
   EffectSet effects = EffectSet::all();
   bool full = false;  ///< `--kernel full`
   bool uses_irradiance = false;
@@ -28,21 +28,21 @@ struct PlannedLook : Look {
 /// A scene from GRF text with its plan, as `bpt` makes it; throws the diagnostics on errors.
 class PlannedScene {
  public:
-  PlannedScene(const std::string& text, const PlannedLook& look, const std::string& file = "test.igrf")
-      : settings_(settings_of(look)) {
+  PlannedScene(const std::string& text, const PlannedRender& setup, const std::string& file = "test.igrf")
+      : settings_(settings_of(setup)) {
     auto scene = grf::read_text(text, file, diagnostics_);
     if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics_)) fail();
-    compile_settings_.effects = look.effects;
-    compile_settings_.most_copied_triangles = look.most_copied_triangles;
-    compile_settings_.has_irradiance = look.uses_irradiance;
-    settings_.integrator.uses_full_kernel = look.full;
-    settings_.integrator.integrator = look.integrator;
+    compile_settings_.effects = setup.effects;
+    compile_settings_.most_copied_triangles = setup.most_copied_triangles;
+    compile_settings_.has_irradiance = setup.uses_irradiance;
+    settings_.integrator.uses_full_kernel = setup.full;
+    settings_.integrator.integrator = setup.integrator;
     settings_.integrator.secondary_rays = 3;
-    settings_.integrator.uses_irradiance = look.uses_irradiance;
-    if (look.environment > 0) settings_.integrator.environment = map_of(look.environment);
-    const transport::Outline outline(*scene, transport::most_copied_triangles(compile_settings_));
-    bounds_ = outline.bounds;
-    plan_ = plan_of(outline, plan_settings_of(look));
+    settings_.integrator.uses_irradiance = setup.uses_irradiance;
+    if (setup.environment > 0) settings_.integrator.environment = map_of(setup.environment);
+    const transport::CoarseScene coarse_scene(*scene, transport::most_copied_triangles(compile_settings_));
+    bounds_ = coarse_scene.bounds;
+    plan_ = plan_of(coarse_scene, plan_settings_of(setup));
     follow(plan_, settings_);
     compile_settings_.effects = plan_.needed();
     compile_settings_.reflecting = plan_.reflecting;
@@ -86,13 +86,13 @@ class PlannedScene {
     return std::make_shared<const transport::EnvironmentMap>(std::move(image));
   }
 
-  transport::PlanSettings plan_settings_of(const PlannedLook& look) const {
+  transport::PlanSettings plan_settings_of(const PlannedRender& setup) const {
     transport::PlanSettings settings;
-    settings.limits = {settings_.view, look.width, look.height, look.depth, look.effects};
-    settings.has_environment = look.environment > 0;
-    settings.has_background = look.background > 0;
-    settings.uses_irradiance = look.uses_irradiance;
-    settings.keeps_all = look.full;
+    settings.limits = {settings_.view, setup.width, setup.height, setup.depth, setup.effects};
+    settings.has_environment = setup.environment > 0;
+    settings.has_background = setup.background > 0;
+    settings.uses_irradiance = setup.uses_irradiance;
+    settings.keeps_all = setup.full;
     return settings;
   }
 
@@ -104,14 +104,14 @@ class PlannedScene {
   grf::Box3d bounds_;
 };
 
-inline PlannedLook full(PlannedLook look) {
-  look.full = true;
-  return look;
+inline PlannedRender full(PlannedRender setup) {
+  setup.full = true;
+  return setup;
 }
 
-inline PlannedLook without(PlannedLook look, Effect effect) {
-  look.effects.remove(effect);
-  return look;
+inline PlannedRender without(PlannedRender setup, Effect effect) {
+  setup.effects.remove(effect);
+  return setup;
 }
 
 }  // namespace test

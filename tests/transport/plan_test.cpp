@@ -16,7 +16,7 @@
 namespace {
 
 using test::Effect;
-using test::PlannedLook;
+using test::PlannedRender;
 using test::PlannedScene;
 using transport::Image;
 
@@ -55,41 +55,41 @@ std::string upright(const std::string& of_vertex, const std::string& attributes 
          "(-1,1,0) end vertexs begin faces (0,1,2,3) end faces end mesh\n";
 }
 
-PlannedLook depth(int depth) {
-  PlannedLook look;
-  look.depth = depth;
-  return look;
+PlannedRender depth(int depth) {
+  PlannedRender setup;
+  setup.depth = depth;
+  return setup;
 }
-PlannedLook under_background() {
-  PlannedLook look;
-  look.background = 1;
-  return look;
+PlannedRender under_background() {
+  PlannedRender setup;
+  setup.background = 1;
+  return setup;
 }
-PlannedLook under_environment() {
-  PlannedLook look;
-  look.environment = 1;
-  return look;
+PlannedRender under_environment() {
+  PlannedRender setup;
+  setup.environment = 1;
+  return setup;
 }
-PlannedLook with_irradiance() {
-  PlannedLook look;
-  look.uses_irradiance = true;
-  return look;
+PlannedRender with_irradiance() {
+  PlannedRender setup;
+  setup.uses_irradiance = true;
+  return setup;
 }
-PlannedLook with_instances() {
-  PlannedLook look;
-  look.most_copied_triangles = 0;
-  return look;
+PlannedRender with_instances() {
+  PlannedRender setup;
+  setup.most_copied_triangles = 0;
+  return setup;
 }
-PlannedLook inside() {
-  PlannedLook look;
-  look.eye = transport::Vec3f(0, 0, 0.1F);
-  return look;
+PlannedRender inside() {
+  PlannedRender setup;
+  setup.eye = transport::Vec3f(0, 0, 0.1F);
+  return setup;
 }
 
 struct Case {
   const char* name;
   std::string text;
-  PlannedLook look;
+  PlannedRender setup;
   int depth;
   std::vector<std::string> needed;
 };
@@ -192,7 +192,7 @@ std::vector<Case> cases() {
 
 TEST(Plan, NeedsWhatCanMatter) {
   for (const Case& one : cases()) {
-    const PlannedScene scene(one.text, one.look);
+    const PlannedScene scene(one.text, one.setup);
     EXPECT_EQ(scene.plan().depth, one.depth) << one.name << ": " << scene.plan().why_depth;
     EXPECT_EQ(scene.needed(), one.needed) << one.name;
     for (const transport::PlannedEffect& effect : scene.plan().effects) {
@@ -207,9 +207,10 @@ TEST(Plan, IsTheSameForAMirroredScene) {
     for (int axis = 0; axis < 3; ++axis) {
       transport::Vec3f scale(1);
       scale[axis] = -1;
-      PlannedLook look = one.look;
-      look.eye[axis] *= -1;
-      const PlannedScene scene(test::placed(one.text, scale, transport::Vec3f(0), transport::Vec3f(0)), look);
+      PlannedRender setup = one.setup;
+      setup.eye[axis] *= -1;
+      const PlannedScene scene(test::placed(one.text, scale, transport::Vec3f(0), transport::Vec3f(0)),
+                               setup);
       EXPECT_EQ(scene.plan().depth, one.depth) << one.name << ", axis " << axis;
       EXPECT_EQ(scene.needed(), one.needed) << one.name << ", axis " << axis;
     }
@@ -220,7 +221,7 @@ TEST(Plan, FramesTheSceneAsCompilingDoes) {
   for (const Case& one : cases()) {
     if (one.text.find(".png") != std::string::npos || one.text.find("CMakeLists") != std::string::npos)
       continue;
-    PlannedScene scene(one.text, one.look);
+    PlannedScene scene(one.text, one.setup);
     EXPECT_EQ(scene.bounds(), scene.compiled().bounds()) << one.name;
   }
 }
@@ -294,17 +295,17 @@ TEST(Plan, GivesTheImageOfTheFullRender) {
   for (std::uint32_t seed = 0; seed < 300; ++seed) {
     std::mt19937 random(seed);
     const std::string text = random_scene(random);
-    PlannedLook look;
-    look.width = look.height = 12;
-    look.samples = 4;
-    look.branches = 1;
-    look.depth = 1 + static_cast<int>(random() % 5);
-    look.background = seed % 2 == 0 ? 0.5F : 0.0F;
-    look.seed = seed;
-    look.threads = 1;
-    PlannedScene planned(text, look);
-    PlannedScene whole(text, test::full(look));
-    shorter += planned.plan().depth < look.depth ? 1 : 0;
+    PlannedRender setup;
+    setup.width = setup.height = 12;
+    setup.samples = 4;
+    setup.split_count = 1;
+    setup.depth = 1 + static_cast<int>(random() % 5);
+    setup.background = seed % 2 == 0 ? 0.5F : 0.0F;
+    setup.seed = seed;
+    setup.threads = 1;
+    PlannedScene planned(text, setup);
+    PlannedScene whole(text, test::full(setup));
+    shorter += planned.plan().depth < setup.depth ? 1 : 0;
     for (const auto& [mesh, surfaces] : *planned.plan().reflecting) blacker += surfaces[0] ? 0 : 1;
     ASSERT_EQ(planned.image().pixels, whole.image().pixels) << seed << "\n" << text;
   }
@@ -318,16 +319,16 @@ TEST(Plan, GivesNaiveTheImageOfTheFullRender) {
   for (std::uint32_t seed = 0; seed < 100; ++seed) {
     std::mt19937 random(seed);
     const std::string text = random_scene(random);
-    PlannedLook look;
-    look.integrator = transport::Integrator::Naive;
-    look.width = look.height = 8;
-    look.samples = 2;
-    look.depth = 1 + static_cast<int>(random() % 3);
-    look.background = seed % 2 == 0 ? 0.5F : 0.0F;
-    look.seed = seed;
-    look.threads = 1;
-    const Image planned = PlannedScene(text, look).image();
-    ASSERT_EQ(planned.pixels, PlannedScene(text, test::full(look)).image().pixels) << seed << "\n" << text;
+    PlannedRender setup;
+    setup.integrator = transport::Integrator::Naive;
+    setup.width = setup.height = 8;
+    setup.samples = 2;
+    setup.depth = 1 + static_cast<int>(random() % 3);
+    setup.background = seed % 2 == 0 ? 0.5F : 0.0F;
+    setup.seed = seed;
+    setup.threads = 1;
+    const Image planned = PlannedScene(text, setup).image();
+    ASSERT_EQ(planned.pixels, PlannedScene(text, test::full(setup)).image().pixels) << seed << "\n" << text;
     lit += std::ranges::any_of(planned.pixels, [](const auto& pixel) { return pixel.y > 0; }) ? 1 : 0;
   }
   EXPECT_GT(lit, 50);
@@ -337,12 +338,12 @@ TEST(Plan, GivesTheFullImageOfItsCases) {
   for (const Case& one : cases()) {
     if (one.text.find(".png") != std::string::npos || one.text.find("CMakeLists") != std::string::npos)
       continue;
-    PlannedLook look = one.look;
-    look.width = look.height = 12;
-    look.samples = 8;
-    look.branches = 1;
-    const Image planned = PlannedScene(one.text, look).image();
-    const Image whole = PlannedScene(one.text, test::full(look)).image();
+    PlannedRender setup = one.setup;
+    setup.width = setup.height = 12;
+    setup.samples = 8;
+    setup.split_count = 1;
+    const Image planned = PlannedScene(one.text, setup).image();
+    const Image whole = PlannedScene(one.text, test::full(setup)).image();
     // Without vertex normals equal to the face's, and without invisible lights, random numbers or rounding
     // differ.
     const double most = std::string(one.name).starts_with("normals") ? 1e-4 : 0;
@@ -380,7 +381,7 @@ std::string add_measurements(const test::TemporaryFolder& folder) {
 struct Switch {
   Effect effect;
   std::string text;
-  PlannedLook look;
+  PlannedRender setup;
 };
 
 // Each name has an effect, and only removes: what is switched off is not needed.
@@ -404,10 +405,10 @@ TEST(Plan, LeavesOutWhatIsSwitchedOff) {
       {Effect::InterpolatedNormals, Smooth + Lamp, {}},
       {Effect::Irradiance, upright("irad (1,1,1) ") + Lamp, with_irradiance()}};
   for (const Switch& one : switches) {
-    PlannedLook look = one.look;
-    look.samples = 64;
-    PlannedScene with(one.text, look);
-    PlannedScene without(one.text, test::without(look, one.effect));
+    PlannedRender setup = one.setup;
+    setup.samples = 64;
+    PlannedScene with(one.text, setup);
+    PlannedScene without(one.text, test::without(setup, one.effect));
     EXPECT_TRUE(with.plan()[one.effect].is_needed) << name_of(one.effect);
     EXPECT_FALSE(without.plan()[one.effect].is_needed) << name_of(one.effect);
     EXPECT_GT(largest_difference(with.image(), without.image()), 0.02) << name_of(one.effect);
@@ -426,7 +427,7 @@ TEST(Plan, HasCopiesInPlaceOfInstances) {
 
 TEST(Plan, TakesDirectLightAloneAsDepthOne) {
   const std::string room = wall("brdf diffuse kd=0.8") + test::quad("brdf ward", Floor) + Lamp;
-  PlannedLook direct;
+  PlannedRender direct;
   direct.effects = transport::effects_named(std::vector<std::string_view>{"direct"});
   EXPECT_EQ(PlannedScene(room, direct).plan().depth, 1);
   EXPECT_EQ(PlannedScene(room, direct).image().pixels, PlannedScene(room, depth(1)).image().pixels);

@@ -47,7 +47,7 @@ std::vector<std::uint32_t> triangles_below(const RayCaster& caster, int side) {
     const float x = (static_cast<float>(i % side) + 0.37F) / static_cast<float>(side);
     const float y = (static_cast<float>(i / side) + 0.61F) / static_cast<float>(side);
     const auto hit = caster.intersect({Vec3f(x, y, 1), Vec3f(0, 0, -1)});
-    met.push_back(hit ? hit->id.triangle : transport::None);
+    met.push_back(hit ? hit->id.triangle : transport::InvalidIndex);
   }
   return met;
 }

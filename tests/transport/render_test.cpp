@@ -8,8 +8,8 @@
 
 namespace {
 
-using test::Look;
 using test::render;
+using test::RenderSetup;
 using transport::CompiledScene;
 using transport::Film;
 using transport::Image;
@@ -26,24 +26,24 @@ void expect_everywhere(const Film& film, double expected, double tolerance) {
 }
 
 TEST(Furnace, WhiteSphereVanishesInWhiteSurroundings) {
-  Look look;
-  look.background = 1;
-  look.width = look.height = 64;
-  expect_everywhere(render(test::scene_of(test::sphere("brdf diffuse kd=1", 40, false)), look), 1, 1e-3);
+  RenderSetup setup;
+  setup.background = 1;
+  setup.width = setup.height = 64;
+  expect_everywhere(render(test::scene_of(test::sphere("brdf diffuse kd=1", 40, false)), setup), 1, 1e-3);
 }
 
 TEST(Furnace, OpenWhiteFloorVanishesUnderAWhiteSky) {
-  Look look;
-  look.eye = Vec3f(0, 3, 6);
-  look.background = 1;
+  RenderSetup setup;
+  setup.eye = Vec3f(0, 3, 6);
+  setup.background = 1;
   const std::string floor = test::quad("brdf diffuse kd=1", "(-5,0,5) (5,0,5) (5,0,-5) (-5,0,-5)");
-  expect_everywhere(render(test::scene_of(floor), look), 1, 1e-3);
+  expect_everywhere(render(test::scene_of(floor), setup), 1, 1e-3);
 }
 
 TEST(Furnace, PerfectMirrorVanishesToo) {
-  Look look;
-  look.background = 1;
-  expect_everywhere(render(test::scene_of(test::sphere("brdf specular ks=1", 40, false)), look), 1, 1e-3);
+  RenderSetup setup;
+  setup.background = 1;
+  expect_everywhere(render(test::scene_of(test::sphere("brdf specular ks=1", 40, false)), setup), 1, 1e-3);
 }
 
 // A closed white box that emits 1/2 everywhere, with an albedo of 1/2: each bounce adds half of the previous
@@ -57,13 +57,13 @@ TEST(Furnace, ClosedBoxFollowsTheGeometricSeries) {
       "end faces end mesh";
   const CompiledScene scene = test::scene_of(box);
   for (const int depth : {0, 1, 2, 20}) {
-    Look look;
-    look.eye = Vec3f(0.1F, 0.2F, 0.3F);
-    look.target = Vec3f(1, 0.3F, -0.2F);
-    look.depth = depth;
-    look.samples = 256;
-    look.width = look.height = 16;
-    const test::Estimate estimate = test::mean_radiance(render(scene, look));
+    RenderSetup setup;
+    setup.eye = Vec3f(0.1F, 0.2F, 0.3F);
+    setup.target = Vec3f(1, 0.3F, -0.2F);
+    setup.depth = depth;
+    setup.samples = 256;
+    setup.width = setup.height = 16;
+    const test::Estimate estimate = test::mean_radiance(render(scene, setup));
     const double expected = 1 - std::pow(0.5, depth + 1);
     EXPECT_NEAR(estimate.mean, expected, 5 * estimate.deviation + 1e-5) << depth;
     EXPECT_LT(estimate.deviation, 0.01);
@@ -88,14 +88,14 @@ TEST(DirectLight, OfAParallelogramIsLambertsFormula) {
   const CompiledScene scene = test::scene_of(light + floor);
   const std::vector<Imath::V3d> corners = {{-1, 2, -1}, {1, 2, -1}, {1.5, 2, 1}, {-0.5, 2, 1}};
   for (const Vec3f& target : {Vec3f(0, 0, 0), Vec3f(2, 0, 1), Vec3f(-4, 0, 3), Vec3f(6, 0, -6)}) {
-    Look look;
-    look.eye = target + Vec3f(0, 1, 0.3F);
-    look.target = target;
-    look.field_of_view = 0.01F;
-    look.width = look.height = 8;
-    look.samples = 1024;
-    look.depth = 1;
-    const test::Estimate estimate = test::mean_radiance(render(scene, look));
+    RenderSetup setup;
+    setup.eye = target + Vec3f(0, 1, 0.3F);
+    setup.target = target;
+    setup.field_of_view = 0.01F;
+    setup.width = setup.height = 8;
+    setup.samples = 1024;
+    setup.depth = 1;
+    const test::Estimate estimate = test::mean_radiance(render(scene, setup));
     const double expected = 3 * 0.7 / M_PI * lambert_irradiance(corners, Imath::V3d(target), {0, 1, 0});
     EXPECT_NEAR(estimate.mean, expected, 5 * estimate.deviation + 1e-4 * expected) << target;
     EXPECT_LT(estimate.deviation, 0.01 * expected);
@@ -105,9 +105,9 @@ TEST(DirectLight, OfAParallelogramIsLambertsFormula) {
 TEST(DirectLight, ReachesNothingBehindTheLight) {
   const std::string light = "light begin rgb (3,3,3) (-1,2,-1) (0,0,2) (2,0,0) end\n";  // shines upwards
   const std::string floor = test::quad("brdf diffuse kd=0.7", "(-9,0,9) (9,0,9) (9,0,-9) (-9,0,-9)");
-  Look look;
-  look.eye = Vec3f(0, 1, 0.3F);
-  expect_everywhere(render(test::scene_of(light + floor), look), 0, 0);
+  RenderSetup setup;
+  setup.eye = Vec3f(0, 1, 0.3F);
+  expect_everywhere(render(test::scene_of(light + floor), setup), 0, 0);
 }
 
 // The sampling scheme affects only the noise, not the image.
@@ -119,11 +119,11 @@ TEST(SamplingSchemes, GiveTheSameImage) {
     for (const char* pdf : {"pdf auto", "pdf diffuse"}) {
       const std::string floor =
           test::quad(fmt::format("brdf {} {}", brdf, pdf), "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)");
-      Look look;
-      look.eye = Vec3f(0, 2, 5);
-      look.background = 0.3F;
-      look.samples = 400;
-      estimates.push_back(test::mean_radiance(render(test::scene_of(light + floor), look)));
+      RenderSetup setup;
+      setup.eye = Vec3f(0, 2, 5);
+      setup.background = 0.3F;
+      setup.samples = 400;
+      estimates.push_back(test::mean_radiance(render(test::scene_of(light + floor), setup)));
     }
     const double deviation = std::hypot(estimates[0].deviation, estimates[1].deviation);
     EXPECT_NEAR(estimates[0].mean, estimates[1].mean, 5 * deviation) << brdf;
@@ -134,10 +134,10 @@ TEST(SamplingSchemes, GiveTheSameImage) {
 TEST(Mirror, ShowsTheLight) {
   const std::string light = "light begin rgb (2,3,4) (-50,5,-50) (100,0,0) (0,0,100) end\n";
   const std::string floor = test::quad("brdf specular ks=0.5", "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)");
-  Look look;
-  look.eye = Vec3f(0, 2, 0.1F);
-  look.field_of_view = 20;
-  const Image image = render(test::scene_of(light + floor), look).mean();
+  RenderSetup setup;
+  setup.eye = Vec3f(0, 2, 0.1F);
+  setup.field_of_view = 20;
+  const Image image = render(test::scene_of(light + floor), setup).mean();
   for (const Rgb& pixel : image.pixels) ASSERT_EQ(pixel, Rgb(1, 1.5F, 2));
 }
 
@@ -149,36 +149,36 @@ CompiledScene cornell_scene() {
   return *transport::compile(scene.value(), diagnostics);
 }
 
-Look cornell_look() {
-  Look look;
-  look.eye = Vec3f(278, 273, -800);
-  look.target = Vec3f(278, 273, 0);
-  look.field_of_view = 39.3076F;
-  look.depth = 8;
-  look.width = look.height = 48;
-  return look;
+RenderSetup cornell_look() {
+  RenderSetup setup;
+  setup.eye = Vec3f(278, 273, -800);
+  setup.target = Vec3f(278, 273, 0);
+  setup.field_of_view = 39.3076F;
+  setup.depth = 8;
+  setup.width = setup.height = 48;
+  return setup;
 }
 
 TEST(CornellBox, DoesNotDependOnTheNumberOfThreads) {
   const CompiledScene scene = cornell_scene();
-  Look look = cornell_look();
-  look.threads = 1;
-  const Image one = render(scene, look).mean();
+  RenderSetup setup = cornell_look();
+  setup.threads = 1;
+  const Image one = render(scene, setup).mean();
   for (const int threads : {2, 7}) {
-    look.threads = threads;
-    EXPECT_EQ(render(scene, look).mean().pixels, one.pixels) << threads;
+    setup.threads = threads;
+    EXPECT_EQ(render(scene, setup).mean().pixels, one.pixels) << threads;
   }
 }
 
 TEST(CornellBox, HasTheSameMeanForAllSeeds) {
   const CompiledScene scene = cornell_scene();
-  Look look = cornell_look();
-  look.samples = 64;
-  const test::Estimate first = test::mean_radiance(render(scene, look));
-  Image first_image = render(scene, look).mean();
+  RenderSetup setup = cornell_look();
+  setup.samples = 64;
+  const test::Estimate first = test::mean_radiance(render(scene, setup));
+  Image first_image = render(scene, setup).mean();
   for (const std::uint32_t seed : {1U, 2U, 3U}) {
-    look.seed = seed;
-    const Film film = render(scene, look);
+    setup.seed = seed;
+    const Film film = render(scene, setup);
     const test::Estimate estimate = test::mean_radiance(film);
     EXPECT_NEAR(estimate.mean, first.mean, 4.5 * std::hypot(estimate.deviation, first.deviation));
     EXPECT_NE(film.mean().pixels, first_image.pixels);
@@ -192,30 +192,30 @@ TEST(Render, PlacesSamplesInAPixel) {
   const CompiledScene scene = test::scene_of("light begin (0,0,100) (0,1,0) (1,0,0) end");
   transport::Image plate{4, 4, {}};
   for (int i = 0; i < 16; ++i) plate.pixels.emplace_back(static_cast<float>(1 << i));
-  Look look;
-  look.width = look.height = 1;
-  look.samples = 4;
-  transport::RenderSettings settings = test::settings_of(look);
+  RenderSetup setup;
+  setup.width = setup.height = 1;
+  setup.samples = 4;
+  transport::RenderSettings settings = test::settings_of(setup);
   settings.backplate = std::make_shared<const transport::Image>(plate);
   const auto shown = [&] {
     transport::Render render(scene, settings);
     render.run();
     return render.film().mean().at(0, 0).x;
   };
-  settings.placing = transport::PixelPlacing::Regular;
+  settings.pixel_sampling = transport::PixelSampling::Regular;
   settings.grid_columns = 2;
   EXPECT_EQ(shown(), ((1 << 5) + (1 << 7) + (1 << 13) + (1 << 15)) / 4.0F);
   settings.samples = 6;  // three rows, at whose centres are rows 0, 2 and 3
   EXPECT_FLOAT_EQ(shown(), ((1 << 1) + (1 << 3) + (1 << 9) + (1 << 11) + (1 << 13) + (1 << 15)) / 6.0F);
-  settings.placing = transport::PixelPlacing::Centre;
+  settings.pixel_sampling = transport::PixelSampling::Centre;
   EXPECT_EQ(shown(), 1 << 10);
 }
 
 TEST(Render, StopsEarlyWithTheImageSoFar) {
   const CompiledScene scene = cornell_scene();
-  Look look = cornell_look();
-  look.samples = 1'000'000;
-  transport::Render render(scene, test::settings_of(look));
+  RenderSetup setup = cornell_look();
+  setup.samples = 1'000'000;
+  transport::Render render(scene, test::settings_of(setup));
   std::thread stopper([&] {
     while (render.progress().done <= 0) std::this_thread::yield();
     render.stop();

@@ -14,9 +14,9 @@ using transport::RenderEnd;
 using transport::RenderSettings;
 
 RenderSettings settings(int samples) {
-  test::Look look = test::look_at_floor(70, 50, samples);
-  look.threads = 2;
-  return test::settings_of(look);
+  test::RenderSetup setup = test::floor_setup(70, 50, samples);
+  setup.threads = 2;
+  return test::settings_of(setup);
 }
 
 TEST(SampleScenes, GiveTheSameImageForAnyNumberOfThreads) {

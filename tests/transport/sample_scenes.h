@@ -33,7 +33,7 @@ inline SampleScene sample_scene(const std::string& op_path,
   settings.samples = 12;
   settings.seed = 5;
   settings.view = transport::view_of(compiled->bounds(), options->field_of_view, 37.0F / 29.0F);
-  if (options->viewer) settings.view.eye = *options->viewer;
+  if (options->eye) settings.view.eye = *options->eye;
   if (options->target) settings.view.target = *options->target;
   settings.integrator.background = options->background;
   settings.integrator.depth = options->depth;

@@ -84,33 +84,33 @@ inline std::string sphere(const std::string& attributes, int rows, bool normals)
   return text + "end faces end mesh\n";
 }
 
-struct Look {
+struct RenderSetup {
   transport::Vec3f eye = transport::Vec3f(0, 0, 4);
   transport::Vec3f target = transport::Vec3f(0);
   int width = 32;
   int height = 32;
   int samples = 16;
   int depth = 5;
-  int branches = 2;
+  int split_count = 2;
   float background = 0;
   std::uint32_t seed = 0;
   int threads = 0;
   float field_of_view = 45;
 };
 
-inline transport::RenderSettings settings_of(const Look& look) {
+inline transport::RenderSettings settings_of(const RenderSetup& setup) {
   transport::RenderSettings settings;
-  settings.width = look.width;
-  settings.height = look.height;
-  settings.view.eye = look.eye;
-  settings.view.target = look.target;
-  settings.view.field_of_view = look.field_of_view;
-  settings.integrator.background = transport::Rgb(look.background);
-  settings.integrator.depth = look.depth;
-  settings.integrator.branches = look.branches;
-  settings.samples = look.samples;
-  settings.seed = look.seed;
-  settings.threads = look.threads;
+  settings.width = setup.width;
+  settings.height = setup.height;
+  settings.view.eye = setup.eye;
+  settings.view.target = setup.target;
+  settings.view.field_of_view = setup.field_of_view;
+  settings.integrator.background = transport::Rgb(setup.background);
+  settings.integrator.depth = setup.depth;
+  settings.integrator.split_count = setup.split_count;
+  settings.samples = setup.samples;
+  settings.seed = setup.seed;
+  settings.threads = setup.threads;
   return settings;
 }
 
@@ -119,18 +119,18 @@ inline const std::string FloorLight = "light begin rgb (9,8,7) (-1,3,-1) (2,0,0)
 inline const std::string LitFloor =
     FloorLight + quad("brdf diffuse kd=0.7", "(-3,0,3) (3,0,3) (3,0,-3) (-3,0,-3)");
 
-inline Look look_at_floor(int width, int height, int samples) {
-  Look look;
-  look.eye = transport::Vec3f(0, 2, 5);
-  look.width = width;
-  look.height = height;
-  look.samples = samples;
-  return look;
+inline RenderSetup floor_setup(int width, int height, int samples) {
+  RenderSetup setup;
+  setup.eye = transport::Vec3f(0, 2, 5);
+  setup.width = width;
+  setup.height = height;
+  setup.samples = samples;
+  return setup;
 }
 
 /// Renders a scene and returns the film.
-inline transport::Film render(const transport::CompiledScene& scene, const Look& look) {
-  transport::Render render(scene, settings_of(look));
+inline transport::Film render(const transport::CompiledScene& scene, const RenderSetup& setup) {
+  transport::Render render(scene, settings_of(setup));
   render.run();
   if (render.rejected_samples() > 0) throw std::runtime_error("samples that are not finite");
   return render.film();

@@ -13,7 +13,7 @@
 namespace {
 
 using test::Effect;
-using test::PlannedLook;
+using test::PlannedRender;
 using test::PlannedScene;
 using transport::Image;
 using transport::Rgb;
@@ -32,15 +32,15 @@ std::string twice(const std::string& first, const std::string& second, const std
   return first + " begin " + blocks + " end\n" + second + " begin " + moved(blocks) + " end\n";
 }
 
-PlannedLook look_at_both() {
-  PlannedLook look;
-  look.eye = Vec3f(0, 0, 10);
-  look.width = 32;
-  look.height = 8;
-  look.samples = 16;
-  look.depth = 1;
-  look.background = 1;
-  return look;
+PlannedRender look_at_both() {
+  PlannedRender setup;
+  setup.eye = Vec3f(0, 0, 10);
+  setup.width = 32;
+  setup.height = 8;
+  setup.samples = 16;
+  setup.depth = 1;
+  setup.background = 1;
+  return setup;
 }
 
 /// The radiance from the centre of each of the two placements. Under a background of 1 a diffuse surface
@@ -53,16 +53,16 @@ std::pair<Rgb, Rgb> left_and_right(const Image& image) {
 
 class ScopeTest : public testing::Test {
  protected:
-  PlannedScene planned(const std::string& text, const PlannedLook& look = look_at_both()) const {
-    return PlannedScene(text, look, folder.path("scene.grf"));
+  PlannedScene planned(const std::string& text, const PlannedRender& setup = look_at_both()) const {
+    return PlannedScene(text, setup, folder.path("scene.grf"));
   }
 
   /// Renders with the kernel and the tables that the plan needs, and with all.
   void expect_seen(const std::string& text, const Rgb& left, const Rgb& right) const {
     for (const bool full : {false, true}) {
-      PlannedLook look = look_at_both();
-      look.full = full;
-      const auto [a, b] = left_and_right(planned(text, look).image());
+      PlannedRender setup = look_at_both();
+      setup.full = full;
+      const auto [a, b] = left_and_right(planned(text, setup).image());
       for (int i = 0; i < 3; ++i) {
         EXPECT_NEAR(a[i], left[i], 0.02F) << "left, " << (full ? "full" : "planned");
         EXPECT_NEAR(b[i], right[i], 0.02F) << "right, " << (full ? "full" : "planned");
@@ -224,20 +224,20 @@ std::string lamp(const std::string& colour) {
 TEST_F(ScopeTest, InstancesOfALampShineAsTheirPlaceSays) {
   folder.add("lamp.grf", lamp("rgb c"));
   const std::string floor = test::quad("brdf diffuse kd=0.5", "(-4,0,2) (8,0,2) (8,0,-2) (-4,0,-2)");
-  PlannedLook look;
-  look.eye = Vec3f(2, 3, 14);
-  look.target = Vec3f(2, 0, 0);
-  look.depth = 1;
-  look.samples = 32;
-  look.most_copied_triangles = 0;
+  PlannedRender setup;
+  setup.eye = Vec3f(2, 3, 14);
+  setup.target = Vec3f(2, 0, 0);
+  setup.depth = 1;
+  setup.samples = 32;
+  setup.most_copied_triangles = 0;
   const std::array<std::string, 2> colours = {"rgb (0,0,0)", "rgb (50,40,30)"};
   for (std::size_t i = 0; i < 2; ++i) {
     const std::string& first = colours[i];
     const std::string& second = colours[1 - i];
     PlannedScene scene =
-        planned(floor + twice("def c = " + first, "def c = " + second, "include \"lamp.grf\""), look);
+        planned(floor + twice("def c = " + first, "def c = " + second, "include \"lamp.grf\""), setup);
     EXPECT_EQ(scene.compiled().instance_count(), 2U);
-    PlannedScene inline_scene = planned(floor + lamp(first) + moved(lamp(second)), look);
+    PlannedScene inline_scene = planned(floor + lamp(first) + moved(lamp(second)), setup);
     EXPECT_EQ(inline_scene.compiled().instance_count(), 0U);
     const test::Estimate a = test::mean_radiance(scene.film());
     const test::Estimate b = test::mean_radiance(inline_scene.film());
@@ -252,8 +252,8 @@ TEST_F(ScopeTest, AChainOfSumsOfAnyLengthIsRendered) {
   std::string text = "def c0 = brdf diffuse kd=0.4\n";
   for (int i = 1; i < 60'000; ++i) text += fmt::format("c{} = brdf combine 1 c{}\n", i, i - 1);
   text += "begin " + left_quad("brdf c59999") + moved(left_quad("brdf c1")) + " end";
-  PlannedLook look = look_at_both();
-  const auto [left, right] = left_and_right(planned(text, look).image());
+  PlannedRender setup = look_at_both();
+  const auto [left, right] = left_and_right(planned(text, setup).image());
   EXPECT_NEAR(left.x, 0.4F, 0.02F);
   EXPECT_NEAR(right.x, 0.4F, 0.02F);
 }

@@ -44,8 +44,8 @@ TEST(Sobol, EachDimensionIsStratified) {
 
 TEST(Sobol, TwoPointsAreThoseOfTwoCalls) {
   for (std::uint32_t sample = 0; sample < 1000; ++sample) {
-    transport::PathNumbers one_by_one(sample * 31, sample);
-    transport::PathNumbers together(sample * 31, sample);
+    transport::PathSampler one_by_one(sample * 31, sample);
+    transport::PathSampler together(sample * 31, sample);
     const Uniform4 first = one_by_one.next();
     const Uniform4 second = one_by_one.next();
     const auto two = together.next_two();
@@ -63,9 +63,9 @@ TEST(IndependentPoints, AreUniformAndUncorrelated) {
   std::array<double, Numbers> before = {};
   std::array<double, Numbers> with_before = {};
   for (std::uint32_t sample = 0; sample < Samples; ++sample) {
-    transport::PathNumbers numbers(7, sample, transport::Points::Independent);
-    const auto two = numbers.next_two();
-    const auto set = numbers.next_set(100);
+    transport::PathSampler sampler(7, sample, transport::SamplePattern::Independent);
+    const auto two = sampler.next_two();
+    const auto set = sampler.next_set(100);
     std::array<double, Numbers> all;
     std::size_t at = 0;
     for (const Uniform4& p : {two.first, two.second, set[99]}) {
@@ -91,10 +91,10 @@ TEST(IndependentPoints, AreNoNet) {
   constexpr std::uint32_t Samples = 1024;
   std::set<int> of_samples;
   std::set<int> of_a_set;
-  const auto set = transport::PathNumbers(3, 0, transport::Points::Independent).next_set(Samples);
+  const auto set = transport::PathSampler(3, 0, transport::SamplePattern::Independent).next_set(Samples);
   for (std::uint32_t i = 0; i < Samples; ++i) {
-    of_samples.insert(
-        static_cast<int>(transport::PathNumbers(3, i, transport::Points::Independent).next().x * Samples));
+    of_samples.insert(static_cast<int>(
+        transport::PathSampler(3, i, transport::SamplePattern::Independent).next().x * Samples));
     of_a_set.insert(static_cast<int>(set[static_cast<int>(i)].x * Samples));
   }
   const double expected = Samples * (1 - std::exp(-1));
@@ -107,10 +107,10 @@ TEST(Sobol, BranchesOfAllSamplesAreANet) {
   constexpr int Branches = 2;
   std::set<std::pair<int, int>> cells;
   for (std::uint32_t sample = 0; sample < 32; ++sample) {
-    transport::PathNumbers numbers(17, sample);
-    const Uniform4 before = numbers.next();
+    transport::PathSampler sampler(17, sample);
+    const Uniform4 before = sampler.next();
     for (int i = 0; i < Branches; ++i) {
-      const Uniform4 p = numbers.branch(i, Branches).next();
+      const Uniform4 p = sampler.branch(i, Branches).next();
       EXPECT_NE(as_array(p), as_array(before));
       cells.emplace(static_cast<int>(p.x * 8), static_cast<int>(p.y * 8));
     }

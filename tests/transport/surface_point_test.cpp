@@ -88,10 +88,10 @@ TEST(RaisedPoint, LiesOnTheSphereThatTrianglesStandFor) {
   for (int i = 0; i < 400; ++i) {
     const SurfacePoint point =
         down_at(scene, 0.04F * static_cast<float>(i % 20) - 0.4F, 0.04F * static_cast<float>(i / 20) - 0.4F);
-    if (point.rise == Vec3f(0)) continue;
+    if (point.terminator_offset == Vec3f(0)) continue;
     ++raised;
-    EXPECT_GT((point.position + point.rise).length(), 0.96F);
-    EXPECT_LT((point.position + point.rise).length(), 1.06F);  // between tangent planes
+    EXPECT_GT((point.position + point.terminator_offset).length(), 0.96F);
+    EXPECT_LT((point.position + point.terminator_offset).length(), 1.06F);  // between tangent planes
   }
   EXPECT_GT(raised, 300);
 }
@@ -101,7 +101,7 @@ TEST(RaisedPoint, IsNoneWhereTheSurfaceIsHollow) {
   const CompiledScene scene = test::scene_of(test::sphere("brdf diffuse", 8, true));
   for (int i = 0; i < 100; ++i) {
     const float x = 0.01F * static_cast<float>(i);
-    EXPECT_EQ(scene.intersect({Vec3f(0), Vec3f(x, 0.3F, 1)})->rise, Vec3f(0));
+    EXPECT_EQ(scene.intersect({Vec3f(0), Vec3f(x, 0.3F, 1)})->terminator_offset, Vec3f(0));
   }
 }
 
@@ -133,7 +133,7 @@ TEST(RaisedPoint, DoesNotPassThroughAWall) {
 TEST(RaisedPoint, TakesARayWhereItIsUsed) {
   const CompiledScene scene = test::scene_of(test::sphere("brdf diffuse", 8, true));
   const auto point = scene.intersect({Vec3f(0.1F, 0.2F, 3), Vec3f(0, 0, -1)});
-  ASSERT_TRUE(point && point->rise.length() > 0);
+  ASSERT_TRUE(point && point->terminator_offset.length() > 0);
   const Vec3f normal = point->geometric_normal;
   const Vec3f along = normal.cross(Vec3f(1, 0, 0)).normalized();
   std::uint64_t rays = 0;
@@ -148,13 +148,13 @@ TEST(RaisedPoint, TakesARayWhereItIsUsed) {
 // The shadow terminator on a coarse sphere is where it would be on the sphere, as far as a mesh permits.
 TEST(RaisedPoint, LetsLightEndSoftly) {
   const std::string lamp = "light begin rgb (100,100,100) (50,-5,-5) (0,0,10) (0,10,0) end ";
-  test::Look look;
-  look.samples = 64;
-  look.depth = 1;
-  look.width = look.height = 48;
+  test::RenderSetup setup;
+  setup.samples = 64;
+  setup.depth = 1;
+  setup.width = setup.height = 48;
   const auto brightness = [&](int rows) {
     return test::mean_radiance(
-        test::render(test::scene_of(lamp + test::sphere("brdf diffuse kd=1", rows, true)), look));
+        test::render(test::scene_of(lamp + test::sphere("brdf diffuse kd=1", rows, true)), setup));
   };
   EXPECT_NEAR(brightness(12).mean / brightness(96).mean, 1, 0.03);
 }

@@ -15,20 +15,20 @@ namespace {
 
 using std::numbers::pi;
 using test::Effect;
-using test::PlannedLook;
+using test::PlannedRender;
 using test::PlannedScene;
 using transport::Rgb;
 using transport::Vec3f;
 
 /// The centre of what is at z = 0, from the front, under a white sky.
-PlannedLook look_at_middle(int depth = 1) {
-  PlannedLook look;
-  look.width = look.height = 2;
-  look.samples = 64;
-  look.depth = depth;
-  look.background = 1;
-  look.field_of_view = 0.01F;
-  return look;
+PlannedRender look_at_middle(int depth = 1) {
+  PlannedRender setup;
+  setup.width = setup.height = 2;
+  setup.samples = 64;
+  setup.depth = depth;
+  setup.background = 1;
+  setup.field_of_view = 0.01F;
+  return setup;
 }
 
 std::string wall_of(const std::string& attributes, const std::string& of_vertex = "") {
@@ -51,25 +51,26 @@ std::string ceiling_of(const std::string& attributes) {
 /// The cosine-weighted fraction of the hemisphere that this square covers: 4/pi s atan(s), s = sqrt(1/2).
 double share_of_ceiling() { return 4 / pi * std::sqrt(0.5) * std::atan(std::sqrt(0.5)); }
 
-Rgb shown(const std::string& text, const PlannedLook& look) {
-  const transport::Image image = PlannedScene(text, look).image();
+Rgb shown(const std::string& text, const PlannedRender& setup) {
+  const transport::Image image = PlannedScene(text, setup).image();
   Rgb sum(0);
   for (const Rgb& pixel : image.pixels) sum += pixel / static_cast<float>(image.pixels.size());
   return sum;
 }
 
-void expect_shown(const std::string& text, const PlannedLook& look, const Rgb& expected, double tolerance) {
-  const Rgb found = shown(text, look);
+void expect_shown(const std::string& text, const PlannedRender& setup, const Rgb& expected,
+                  double tolerance) {
+  const Rgb found = shown(text, setup);
   for (int k = 0; k < 3; ++k) {
     EXPECT_NEAR(found[k], expected[k], tolerance * std::max(0.01F, expected[k])) << text.substr(0, 160);
   }
 }
 
 /// Tests the image with all effects, and without one.
-void expect_with_and_without(const std::string& text, const PlannedLook& look, Effect effect, const Rgb& with,
-                             const Rgb& without, double tolerance = 1e-3) {
-  expect_shown(text, look, with, tolerance);
-  expect_shown(text, test::without(look, effect), without, tolerance);
+void expect_with_and_without(const std::string& text, const PlannedRender& setup, Effect effect,
+                             const Rgb& with, const Rgb& without, double tolerance = 1e-3) {
+  expect_shown(text, setup, with, tolerance);
+  expect_shown(text, test::without(setup, effect), without, tolerance);
 }
 
 TEST(SwitchedOff, TexturesAndVertexColoursLeaveTheColourOfTheFace) {
@@ -101,21 +102,21 @@ TEST(SwitchedOff, AreaLightsStandWhereTheyAre) {
   expect_with_and_without(wall_of("brdf diffuse kd=0.8 light rgb (5,4,3)"), look_at_middle(),
                           Effect::AreaLights, Rgb(5.8F, 4.8F, 3.8F), Rgb(0.8F));
   const std::string lamp = "light begin rgb (9,9,9) (-1,-1,1) (0,2,0) (2,0,0) end ";
-  PlannedLook look = look_at_middle();
-  look.eye = Vec3f(4, 0, 0.5F);
-  look.samples = 1024;
+  PlannedRender setup = look_at_middle();
+  setup.eye = Vec3f(4, 0, 0.5F);
+  setup.samples = 1024;
   const auto f = static_cast<float>(share_of_ceiling());
-  expect_with_and_without(dot_of("brdf diffuse kd=0.5") + lamp, look, Effect::AreaLights,
+  expect_with_and_without(dot_of("brdf diffuse kd=0.5") + lamp, setup, Effect::AreaLights,
                           Rgb(0.5F * (1 - f + 9 * f)), Rgb(0.5F * (1 - f)), 0.02);
 }
 
 // The map is 1 in its upper half, half of which an upright wall sees.
 TEST(SwitchedOff, TheEnvironmentIsTheBackground) {
-  PlannedLook look = look_at_middle();
-  look.environment = 1;
-  look.background = 0.25F;
-  look.samples = 1024;
-  expect_with_and_without(wall_of("brdf diffuse kd=0.8"), look, Effect::Environment, Rgb(0.4F), Rgb(0.2F),
+  PlannedRender setup = look_at_middle();
+  setup.environment = 1;
+  setup.background = 0.25F;
+  setup.samples = 1024;
+  expect_with_and_without(wall_of("brdf diffuse kd=0.8"), setup, Effect::Environment, Rgb(0.4F), Rgb(0.2F),
                           0.02);
 }
 
@@ -140,43 +141,43 @@ TEST(SwitchedOff, TheMirrorPartReflectsNothing) {
                           Rgb(0.9F), Rgb(0));
   const std::string sum = "def matte = brdf diffuse kd=0.8 mirror = brdf specular ks=1 begin " +
                           wall_of("brdf combine 0.5 matte, 0.3 mirror") + "end ";
-  PlannedLook look = look_at_middle();
-  look.samples = 4096;
-  expect_with_and_without(sum, look, Effect::MirrorReflection, Rgb(0.7F), Rgb(0.4F), 0.02);
+  PlannedRender setup = look_at_middle();
+  setup.samples = 4096;
+  expect_with_and_without(sum, setup, Effect::MirrorReflection, Rgb(0.7F), Rgb(0.4F), 0.02);
 }
 
 // A lamp of 4 m2 at a distance of 100 m, whose irradiance is pi: kd times the cosine.
 TEST(SwitchedOff, InterpolatedNormalsAreThoseOfThePolygons) {
   const std::string lamp = "light begin rgb (7853.98,7853.98,7853.98) (-1,-1,100) (0,2,0) (2,0,0) end ";
-  PlannedLook look = look_at_middle();
-  look.background = 0;
-  expect_with_and_without(wall_of("brdf diffuse kd=0.5", "normal (0.6,0,0.8) ") + lamp, look,
+  PlannedRender setup = look_at_middle();
+  setup.background = 0;
+  expect_with_and_without(wall_of("brdf diffuse kd=0.5", "normal (0.6,0,0.8) ") + lamp, setup,
                           Effect::InterpolatedNormals, Rgb(0.4F), Rgb(0.5F), 2e-3);
 }
 
 TEST(SwitchedOff, IrradianceIsEstimated) {
-  PlannedLook look = look_at_middle();
-  look.uses_irradiance = true;
-  expect_with_and_without(wall_of("brdf diffuse kd=0.5", "irad (3,3,3) "), look, Effect::Irradiance,
+  PlannedRender setup = look_at_middle();
+  setup.uses_irradiance = true;
+  expect_with_and_without(wall_of("brdf diffuse kd=0.5", "irad (3,3,3) "), setup, Effect::Irradiance,
                           Rgb(static_cast<float>(0.5 * 3 / pi)), Rgb(0.5F));
 }
 
 // The dot sees the sky except where the ceiling hides it, and the sky once more by reflection there. A
 // surface that reflects only to the eye is black from there.
 TEST(SwitchedOff, InterreflectionLeavesWhatTheEyeSees) {
-  PlannedLook look = look_at_middle(2);
-  look.eye = Vec3f(4, 0, 0.5F);
-  look.samples = 1024;
+  PlannedRender setup = look_at_middle(2);
+  setup.eye = Vec3f(4, 0, 0.5F);
+  setup.samples = 1024;
   const auto f = static_cast<float>(share_of_ceiling());
   const std::string dot = dot_of("brdf diffuse kd=0.5");
-  expect_with_and_without(dot + ceiling_of("brdf diffuse kd=0.6"), look, Effect::DiffuseInterreflection,
+  expect_with_and_without(dot + ceiling_of("brdf diffuse kd=0.6"), setup, Effect::DiffuseInterreflection,
                           Rgb(0.5F * (1 - f + 0.6F * f)), Rgb(0.5F * (1 - f)), 0.02);
   const std::string glossy = dot + ceiling_of("brdf ward sx=0.2 sy=0.2 ks=0.5 kd=0.3");
-  EXPECT_GT(shown(glossy, look).x, 0.5F * (1 - f + 0.2F * f));
-  expect_shown(glossy, test::without(look, Effect::GlossyInterreflection), Rgb(0.5F * (1 - f)), 0.02);
+  EXPECT_GT(shown(glossy, setup).x, 0.5F * (1 - f + 0.2F * f));
+  expect_shown(glossy, test::without(setup, Effect::GlossyInterreflection), Rgb(0.5F * (1 - f)), 0.02);
   // Each does not affect the other kind.
-  EXPECT_GT(shown(glossy, test::without(look, Effect::DiffuseInterreflection)).x, 0.5F * (1 - f + 0.2F * f));
-  expect_shown(dot + ceiling_of("brdf diffuse kd=0.6"), test::without(look, Effect::GlossyInterreflection),
+  EXPECT_GT(shown(glossy, test::without(setup, Effect::DiffuseInterreflection)).x, 0.5F * (1 - f + 0.2F * f));
+  expect_shown(dot + ceiling_of("brdf diffuse kd=0.6"), test::without(setup, Effect::GlossyInterreflection),
                Rgb(0.5F * (1 - f + 0.6F * f)), 0.02);
 }
 
@@ -190,11 +191,11 @@ TEST(SwitchedOff, AnisotropyFollowsTheScenesAxes) {
       brushed("uv (0,0) (-1,-1,0) uv (1,0) (1,-1,0) uv (1,1) (1,1,0) uv (0,1) (-1,1,0)");
   const std::string along_y =
       brushed("uv (0,0) (-1,-1,0) uv (0,1) (1,-1,0) uv (-1,1) (1,1,0) uv (-1,0) (-1,1,0)");
-  PlannedLook look = look_at_middle();
-  look.background = 0;
-  const Rgb expected = shown(along_x, look);
-  EXPECT_GT(shown(along_y, look).x, 5 * expected.x) << "the light is along x, where sx is narrow";
-  expect_shown(along_y, test::without(look, Effect::Anisotropy), expected, 0.01);
+  PlannedRender setup = look_at_middle();
+  setup.background = 0;
+  const Rgb expected = shown(along_x, setup);
+  EXPECT_GT(shown(along_y, setup).x, 5 * expected.x) << "the light is along x, where sx is narrow";
+  expect_shown(along_y, test::without(setup, Effect::Anisotropy), expected, 0.01);
 }
 
 }  // namespace

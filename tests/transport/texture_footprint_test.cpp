@@ -82,12 +82,12 @@ class TextureFootprint : public testing::Test {
   }
 
   /// The value at the image's centre under a white sky.
-  static float seen_in_the_middle(const CompiledScene& scene, test::Look look, int pixels) {
-    look.width = look.height = pixels;
-    look.samples = 2;
-    look.background = 1;
-    transport::RenderSettings settings = test::settings_of(look);
-    settings.placing = transport::PixelPlacing::Centre;
+  static float seen_in_the_middle(const CompiledScene& scene, test::RenderSetup setup, int pixels) {
+    setup.width = setup.height = pixels;
+    setup.samples = 2;
+    setup.background = 1;
+    transport::RenderSettings settings = test::settings_of(setup);
+    settings.pixel_sampling = transport::PixelSampling::Centre;
     transport::Render render(scene, settings);
     render.run();
     return render.film().mean().at(pixels / 2, pixels / 2).x;
@@ -138,13 +138,13 @@ TEST_F(TextureFootprint, FollowsTheScaleOfItsPlace) {
 TEST_F(TextureFootprint, OfACameraRayIsAPixelAtItsDistance) {
   const CompiledScene scene = test::scene_of(sheet({4, 4}, {2, 2}));  // half of a repeat per unit
   for (const auto& [pixels, degrees] : {std::pair(1, 20.0F), {3, 60.0F}}) {
-    test::Look look;
-    look.eye = Vec3f(0.5F, 2, 4);
-    look.target = Vec3f(0.5F, 2, 0);
-    look.field_of_view = degrees;
-    look.depth = 1;
+    test::RenderSetup setup;
+    setup.eye = Vec3f(0.5F, 2, 4);
+    setup.target = Vec3f(0.5F, 2, 0);
+    setup.field_of_view = degrees;
+    setup.depth = 1;
     const double pixel = 4 * 2 * std::tan(degrees * M_PI / 360) / pixels;
-    EXPECT_NEAR(footprint_of(seen_in_the_middle(scene, look, pixels)), pixel / 2, 2e-3) << degrees;
+    EXPECT_NEAR(footprint_of(seen_in_the_middle(scene, setup, pixels)), pixel / 2, 2e-3) << degrees;
   }
 }
 
@@ -154,11 +154,11 @@ TEST_F(TextureFootprint, GrowsOnBehindAMirror) {
       test::quad("brdf specular ks=1", "(-0.01,-0.01,0) (0.01,-0.01,0) (0.01,0.01,0) (-0.01,0.01,0)");
   const CompiledScene scene = test::scene_of(mirror + "transform translation (-0.5,-2,6) begin " +
                                              sheet({4, 4}, {2, 2}, false) + "end");
-  test::Look look;
-  look.field_of_view = 8;
-  look.depth = 2;
+  test::RenderSetup setup;
+  setup.field_of_view = 8;
+  setup.depth = 2;
   const double pixel = (4 + 6) * 2 * std::tan(8 * M_PI / 360);
-  EXPECT_NEAR(footprint_of(seen_in_the_middle(scene, look, 1)), pixel / 2, 2e-3);
+  EXPECT_NEAR(footprint_of(seen_in_the_middle(scene, setup, 1)), pixel / 2, 2e-3);
 }
 
 // From a diffuse floor a path goes anywhere, in one of few directions: each sees the mean of a finely striped
@@ -173,15 +173,15 @@ TEST_F(TextureFootprint, OfAScatteredRayIsWide) {
     settings.integrator = integrator;
     settings.background = Rgb(1);
     settings.depth = 2;
-    settings.branches = settings.secondary_rays = 1;
+    settings.split_count = settings.secondary_rays = 1;
     const transport::Kernel kernel = kernel_of(scene, settings);
     int means = 0;
     constexpr std::uint32_t Paths = 500;
     for (std::uint32_t i = 0; i < Paths; ++i) {
-      transport::PathNumbers numbers(3, i);
+      transport::PathSampler sampler(3, i);
       transport::RayCounter counter;
       const transport::Ray ray{Vec3f(0, 0, 1), Vec3f(0, 0, -1), {}, {0, 1e-3F}};
-      if (std::abs(kernel(scene, settings, ray, {}, numbers, counter).x - MeanOfBoth) < 1e-3F) ++means;
+      if (std::abs(kernel(scene, settings, ray, {}, sampler, counter).x - MeanOfBoth) < 1e-3F) ++means;
     }
     EXPECT_GT(means, 490) << static_cast<int>(integrator);
   }

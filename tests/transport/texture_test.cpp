@@ -90,7 +90,7 @@ TEST(Texture, GoesFromLevelToLevelWithoutAStep) {
 TEST(Texture, CountsWhatIsNoReflectanceAsBlack) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Texture texture(Image{2, 1, {Rgb(nan, 1, 1), Rgb(1, -1, 1e30F)}});
-  EXPECT_EQ(texture.wrong_texels(), 2U);
+  EXPECT_EQ(texture.invalid_texels(), 2U);
   EXPECT_EQ(texture.lookup({0.25F, 0.5F}, 0), Rgb(0, 1, 1));
   EXPECT_EQ(texture.lookup({0.75F, 0.5F}, 0).z, 65504);
   EXPECT_EQ(texture.lookup({nan, 3e38F}, nan).z, texture.lookup({0, 0}, 0).z);

@@ -1,4 +1,4 @@
-// Shades a BRDF under a headlight and a sky, in the common subset of GLSL and C++: see light_by_cpp.cpp.
+// Shades a BRDF under a headlight and a sky, in the common subset of GLSL and C++: see cpu_shading.cpp.
 // `model(u, v)` is the BRDF, and `sky(d)` precedes this text.
 
 // The R2 offset of a pixel in [0,1)^2 (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences").
@@ -18,13 +18,13 @@ vec3 cosine_direction(vec2 xi) {
 }
 
 vec3 lobe_direction(vec3 u, real exponent, vec2 xi) {
-  real below_one = -expm1(log1p(-xi.x) / (exponent + 1));
-  real sine = sqrt(below_one * (2 - below_one));
-  vec3 h = vec3(sine * cos(2 * PI * xi.y), sine * sin(2 * PI * xi.y), 1 - below_one);
+  real one_minus_cos = -expm1(log1p(-xi.x) / (exponent + 1));
+  real sine = sqrt(one_minus_cos * (2 - one_minus_cos));
+  vec3 h = vec3(sine * cos(2 * PI * xi.y), sine * sin(2 * PI * xi.y), 1 - one_minus_cos);
   return 2 * dot(u, h) * h - u;
 }
 
-real lobe_density(vec3 u, vec3 v, real exponent) {
+real lobe_pdf(vec3 u, vec3 v, real exponent) {
   vec3 h = normalize(u + v);
   return (exponent + 1) / (2 * PI) * exp(-exponent / 2 * log1p(tan2_of_half(h))) / (4 * max(dot(u, h), 1e-4));
 }
@@ -36,8 +36,8 @@ vec3 sky_part(vec3 u, mat3 to_world, real exponent, vec2 start, int samples, int
     vec2 xi = fract(start + real(i / 2 + first_sample) * vec2(0.7548776662, 0.5698402910));
     vec3 v = (i & 1) == 0 ? cosine_direction(xi) : lobe_direction(u, exponent, xi);
     if (v.z <= 1e-4) continue;
-    real density = 0.5 * (v.z / PI + lobe_density(u, v, exponent));
-    sum += model(u, v) * sky(to_world * v) * (v.z / density);
+    real pdf = 0.5 * (v.z / PI + lobe_pdf(u, v, exponent));
+    sum += model(u, v) * sky(to_world * v) * (v.z / pdf);
   }
   return sum / real(samples);
 }

@@ -1,11 +1,11 @@
 // Simple shading: one colour per surface, under a light over the viewer's left shoulder.
-uniform int look;  // 0 solid, 1 colours, 2 irradiance
+uniform int shading_mode;  // 0 solid, 1 colours, 2 irradiance
 uniform float irradiance_scale;
 uniform vec3 clay;
 layout(location = 0) out vec4 colour;
 
 vec3 base_colour(uvec2 face, vec4 value) {
-  if (look == 1) return surface_row(face, 0).rgb * value.rgb;
+  if (shading_mode == 1) return surface_row(face, 0).rgb * value.rgb;
   return clay;
 }
 
@@ -18,7 +18,7 @@ void main() {
   float shine = 0.3 + 0.7 * max(dot(n, normalize(vec3(-0.25, 0.4, 1))), 0);
   vec3 shown = base_colour(face, value) * shine;
   vec4 emission = surface_row(face, 1);
-  if (look == 2) {
+  if (shading_mode == 2) {
     // Stripes mark missing irradiance, so that black means no light.
     float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12) < 6 ? 0.16 : 0.22;
     shown = value.a > 0.5 ? value.rgb * irradiance_scale : vec3(stripe) * shine;

@@ -15,7 +15,7 @@ struct AdaptiveScheme {
   enum Mode { Warp, Reject };
 
   /// The pdf is hardly above 0 at the flanks of a lobe that is much narrower than the smallest leaf.
-  static constexpr bool MayMiss = true;
+  static constexpr bool IsIncomplete = true;
 
   float nqt = 90;
   float naniso_qt = 0;
@@ -44,7 +44,7 @@ struct AdaptiveScheme {
                                          "mode=reject: free the tables; values are then recomputed"),
                        word_parameter(&Self::mode, "mode", {"warp", "reject"},
                                       "how trees are sampled: by inversion (warp) or rejection")},
-        .about =
+        .description =
             "Adaptive importance sampling of any BRDF, analytic, measured or combined, with no parameters to "
             "set. Quadtrees over the directions, for a set of views, follow f cos, and a sample descends "
             "from the root. With mode=warp, a pair of random numbers is warped to a direction by inverting "
@@ -55,7 +55,9 @@ struct AdaptiveScheme {
     };
   }
 
-  static std::string refusal(const Brdf& brdf) { return RejectionSampler::refusal(brdf); }
+  static std::string unsupported_reason(const Brdf& brdf) {
+    return RejectionSampler::unsupported_reason(brdf);
+  }
 
   void build(const Brdf& brdf) {
     if (mode == Reject) {
@@ -79,10 +81,10 @@ struct AdaptiveScheme {
   std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
     if (!warp_) return rejection_.sample(brdf, u, xi);
     const auto drawn = warp_->sample(u, xi.direction);
-    return drawn ? weighted(brdf, u, drawn->direction, drawn->density) : std::nullopt;
+    return drawn ? weighted(brdf, u, drawn->direction, drawn->pdf) : std::nullopt;
   }
-  float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
-    return warp_ ? warp_->density(u, v) : rejection_.density(brdf, u, v);
+  float pdf(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
+    return warp_ ? warp_->pdf(u, v) : rejection_.pdf(brdf, u, v);
   }
 
   /// Draws a batch of samples; see reflectance::sample_many.

@@ -9,7 +9,7 @@ namespace reflectance {
 /// Samples half vectors by the anisotropic power of Ashikhmin and Shirley. Directions below the horizon are
 /// drawn and count as zero, so the pdf integrates to less than 1.
 struct AnisotropicScheme {
-  static constexpr bool MayMiss = true;
+  static constexpr bool IsIncomplete = true;
 
   float nu = OwnExponent;
   float nv = OwnExponent;
@@ -25,12 +25,12 @@ struct AnisotropicScheme {
                            number_parameter(&AnisotropicScheme::nv, "nv", OwnExponent, 1e6F,
                                             "exponent along y; below 0: the BRDF's own, or 40 if it has none",
                                             Logarithmic)},
-            .about =
+            .description =
                 "Samples half vectors with one exponent along x and one along y, for brushed surfaces and "
                 "fibres, and for any half-vector lobe."};
   }
 
-  static std::string refusal(const Brdf&) { return {}; }
+  static std::string unsupported_reason(const Brdf&) { return {}; }
 
   void build(const Brdf& brdf) {
     exponents_ = own_exponents(brdf);
@@ -40,10 +40,10 @@ struct AnisotropicScheme {
 
   std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
     const Vec3f v = anisotropic_lobe_direction(u, exponents_, xi.direction);
-    return weighted(brdf, u, v, density(brdf, u, v));
+    return weighted(brdf, u, v, pdf(brdf, u, v));
   }
-  float density(const Brdf&, const Vec3f& u, const Vec3f& v) const {
-    return u.z > 0 && v.z > 0 ? anisotropic_lobe_density(u, v, exponents_) : 0;
+  float pdf(const Brdf&, const Vec3f& u, const Vec3f& v) const {
+    return u.z > 0 && v.z > 0 ? anisotropic_lobe_pdf(u, v, exponents_) : 0;
   }
 
  private:

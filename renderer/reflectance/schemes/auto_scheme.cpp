@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 
 namespace reflectance {
 namespace {
@@ -21,14 +21,14 @@ Moments moments_at(const Brdf& brdf, const Vec3f& u, const AdaptiveScheme* adapt
   double own = 0;
   double other = 0;
   for (std::uint32_t i = 0; i < Samples; ++i) {
-    const auto drawn = OwnScheme().sample(brdf, u, even_point(i));
+    const auto drawn = OwnScheme().sample(brdf, u, halton_point(i));
     const double weight = drawn ? mean(drawn->weight) : 0.0;
     if (!(weight > 0)) continue;
     sum += weight;
     own += weight * weight;
     if (adaptive == nullptr) continue;
-    const double density = adaptive->density(brdf, u, drawn->direction);
-    other += density > 0 ? weight * weight * drawn->density / density : HUGE_VAL;
+    const double pdf = adaptive->pdf(brdf, u, drawn->direction);
+    other += pdf > 0 ? weight * weight * drawn->pdf / pdf : HUGE_VAL;
   }
   if (!(sum > 0)) return {};
   return {own * Samples / (sum * sum), other * Samples / (sum * sum)};
@@ -54,7 +54,7 @@ Moments mean_moments(const Brdf& brdf, const AdaptiveScheme* adaptive) {
 void AutoScheme::build(const Brdf& brdf) {
   constexpr double GoodVariance = 0.25;
   is_adaptive_ = false;
-  if (!has_density(brdf) || mean_moments(brdf, nullptr).own < 1 + GoodVariance) return;
+  if (!has_nonspecular_part(brdf) || mean_moments(brdf, nullptr).own < 1 + GoodVariance) return;
   adaptive_.build(brdf);
   const Moments moments = mean_moments(brdf, &adaptive_);
   is_adaptive_ = moments.adaptive < moments.own;

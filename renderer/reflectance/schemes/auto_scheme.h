@@ -13,14 +13,14 @@ class AutoScheme {
     return {
         .keyword = "auto",
         .title = "The better of own and adaptive",
-        .about =
+        .description =
             "The default for faces without a `pdf`: the BRDF's own sampler, which needs no precomputation, "
             "if the standard deviation of its weights is below half of their mean; else `adaptive`, if its "
             "weights vary less.",
     };
   }
 
-  static std::string refusal(const Brdf&) { return {}; }
+  static std::string unsupported_reason(const Brdf&) { return {}; }
 
   void build(const Brdf& brdf);
   std::size_t bytes() const { return is_adaptive_ ? adaptive_.bytes() : 0; }
@@ -28,8 +28,8 @@ class AutoScheme {
   std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
     return is_adaptive_ ? adaptive_.sample(brdf, u, xi) : OwnScheme().sample(brdf, u, xi);
   }
-  float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
-    return is_adaptive_ ? adaptive_.density(brdf, u, v) : OwnScheme().density(brdf, u, v);
+  float pdf(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
+    return is_adaptive_ ? adaptive_.pdf(brdf, u, v) : OwnScheme().pdf(brdf, u, v);
   }
 
   bool is_adaptive() const { return is_adaptive_; }

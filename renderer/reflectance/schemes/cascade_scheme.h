@@ -13,7 +13,7 @@ namespace reflectance {
 /// cdf of phi_h. A view uses the nearest tables. Where h reflects u below the horizon the sample is empty, so
 /// the pdf integrates to less than 1.
 struct CascadeScheme {
-  static constexpr bool MayMiss = true;
+  static constexpr bool IsIncomplete = true;
 
   float theta_count = 256;
   float phi_count = 32;
@@ -31,21 +31,21 @@ struct CascadeScheme {
                                         grf::ParameterScale::Logarithmic),
                        boolean_parameter(&CascadeScheme::compress, "compress",
                                          "simplify the cdfs to the points needed")},
-        .about =
+        .description =
             "Samples half vectors by inverting tabulated cdfs of the BRDF times the cosine, for any BRDF. "
             "Lobes narrower than a cell are sampled badly. Compressed tables are about a twentieth as large "
             "and nearly as good.",
     };
   }
 
-  std::string wrong_together() const {
+  std::string validate() const {
     if (theta_count != std::round(theta_count) || phi_count != std::round(phi_count))
       return "nTh and nPh must be whole numbers";
     constexpr float MostCells = 0x1p18F;  // 600 MB for an anisotropic BRDF
     return theta_count * phi_count <= MostCells ? "" : "nTh times nPh must be at most 262,144 cells";
   }
 
-  static std::string refusal(const Brdf&) { return {}; }
+  static std::string unsupported_reason(const Brdf&) { return {}; }
 
   void build(const Brdf& brdf) {
     tables = std::make_shared<const CascadeTables>(
@@ -55,16 +55,16 @@ struct CascadeScheme {
   std::size_t bytes() const { return tables ? tables->bytes() : 0; }
 
   std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
-    if (u.z <= 0 || !has_density(brdf)) return std::nullopt;
+    if (u.z <= 0 || !has_nonspecular_part(brdf)) return std::nullopt;
     const Vec3f h = tables->half_vector(u, xi.direction);
     if (u.dot(h) <= 0) return std::nullopt;
     const Vec3f v = reflected(u, h).normalized();
-    return weighted(brdf, u, v, density(brdf, u, v));
+    return weighted(brdf, u, v, pdf(brdf, u, v));
   }
 
-  float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
-    if (u.z <= 0 || v.z <= 0 || !has_density(brdf)) return 0;
-    return tables->half_density(u, (u + v).normalized()) / (4 * cosine_of_half(u, v));
+  float pdf(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
+    if (u.z <= 0 || v.z <= 0 || !has_nonspecular_part(brdf)) return 0;
+    return tables->half_pdf(u, (u + v).normalized()) / (4 * cosine_of_half(u, v));
   }
 };
 

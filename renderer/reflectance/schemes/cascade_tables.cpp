@@ -154,8 +154,8 @@ CascadeTables::Curve CascadeTables::curve(std::size_t index) const {
 }
 
 std::size_t CascadeTables::view_of(const Vec3f& u) const {
-  const auto nearest = [](float share, std::size_t count) {
-    return std::min(static_cast<std::size_t>(share * static_cast<float>(count)), count - 1);
+  const auto nearest = [](float fraction, std::size_t count) {
+    return std::min(static_cast<std::size_t>(fraction * static_cast<float>(count)), count - 1);
   };
   const std::size_t angle = nearest(right_angles_of(versine_of(u)), ViewAngles);
   return is_anisotropic_ ? angle + ViewAngles * nearest(turns_of(u), ViewAzimuths) : angle;
@@ -164,18 +164,18 @@ std::size_t CascadeTables::view_of(const Vec3f& u) const {
 Vec3f CascadeTables::half_vector(const Vec3f& u, const Vec2f& xi) const {
   const std::size_t first = marginals_[view_of(u)];
   const Curve marginal = curve(first);
-  const CurvePlace row = inverted(marginal.values, xi.x);
+  const CdfPosition row = inverted(marginal.values, xi.x);
   const Curve conditional = curve(first + 1 + row.cell);
-  const CurvePlace column = inverted(conditional.values, xi.y);
+  const CdfPosition column = inverted(conditional.values, xi.y);
   const auto from = static_cast<float>(conditional.point(column.cell));
   const auto to = static_cast<float>(conditional.point(column.cell + 1));
   const Vec3f h = grid_.direction(marginal.point(row.cell), marginal.point(row.cell + 1), row.fraction,
                                   from + column.fraction * (to - from));
-  return is_anisotropic_ ? h : Turn(u).from_plane(h);
+  return is_anisotropic_ ? h : AzimuthRotation(u).from_plane(h);
 }
 
-float CascadeTables::half_density(const Vec3f& u, const Vec3f& h) const {
-  const Vec3f turned = is_anisotropic_ ? h : Turn(u).to_plane(h);
+float CascadeTables::half_pdf(const Vec3f& u, const Vec3f& h) const {
+  const Vec3f turned = is_anisotropic_ ? h : AzimuthRotation(u).to_plane(h);
   const std::size_t first = marginals_[view_of(u)];
   const Curve marginal = curve(first);
   const std::size_t row = marginal.piece_with(grid_.row_of(turned));

@@ -31,7 +31,7 @@ class CascadeTables {
   Vec3f half_vector(const Vec3f& u, const Vec2f& xi) const;
 
   /// Returns the pdf per solid angle of h, which is above 0 everywhere: see `Floor` in the source.
-  float half_density(const Vec3f& u, const Vec3f& h) const;
+  float half_pdf(const Vec3f& u, const Vec3f& h) const;
 
   std::size_t bytes() const;
 

@@ -29,13 +29,13 @@ inline std::vector<float> cumulative(std::span<const double> masses) {
 }
 
 /// The position where a cdf takes a value: the cell, and the fraction of the way into it, 0 to 1.
-struct CurvePlace {
+struct CdfPosition {
   std::size_t cell = 0;
   float fraction = 0;
 };
 
 /// Inverts a cdf at xi in [0,1). The result is never in a cell without mass.
-inline CurvePlace inverted(std::span<const float> curve, float xi) {
+inline CdfPosition inverted(std::span<const float> curve, float xi) {
   const auto above = std::upper_bound(curve.begin() + 1, curve.end() - 1, xi);
   const auto cell = static_cast<std::size_t>(above - curve.begin()) - 1;
   return {cell, (xi - curve[cell]) / (curve[cell + 1] - curve[cell])};

@@ -9,21 +9,21 @@ struct DiffuseScheme {
   static ModelTable<DiffuseScheme> table() {
     return {.keyword = "diffuse",
             .title = "Cosine-weighted",
-            .about =
+            .description =
                 "Cosine-weighted hemisphere sampling, as for a diffuse surface; the thesis calls it uniform, "
                 "which it is on the unit disc. It is perfect for Lambert's model, safe for every other, and "
                 "the noisier the glossier the BRDF: the baseline for the other schemes."};
   }
 
-  static std::string refusal(const Brdf&) { return {}; }
+  static std::string unsupported_reason(const Brdf&) { return {}; }
 
   std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
     const Vec3f v = cosine_direction(xi.direction);
-    if (u.z <= 0 || v.z <= 0 || !has_density(brdf)) return std::nullopt;
-    return DirectionSample{v, evaluate(brdf, u, v) * Pi, cosine_density(v)};
+    if (u.z <= 0 || v.z <= 0 || !has_nonspecular_part(brdf)) return std::nullopt;
+    return DirectionSample{v, evaluate(brdf, u, v) * Pi, cosine_pdf(v)};
   }
-  float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
-    return u.z > 0 && has_density(brdf) ? cosine_density(v) : 0;
+  float pdf(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
+    return u.z > 0 && has_nonspecular_part(brdf) ? cosine_pdf(v) : 0;
   }
 };
 

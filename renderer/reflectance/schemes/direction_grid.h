@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/reflectance/brdf.h"
-#include "renderer/reflectance/schemes/turn.h"
+#include "renderer/reflectance/schemes/azimuth_rotation.h"
 
 namespace reflectance {
 

@@ -14,7 +14,7 @@ namespace reflectance {
 /// isotropic BRDFs u is rotated into the plane y = 0. With `half` the lobes are of h; where h reflects u
 /// below the horizon the sample is empty, so the pdf integrates to less than 1.
 struct FactoredScheme {
-  static constexpr bool MayMiss = true;
+  static constexpr bool IsIncomplete = true;
 
   float view_angles = 16;
   float view_azimuths = 16;
@@ -46,7 +46,7 @@ struct FactoredScheme {
                               "number of products of theta and phi per factor of u"),
              boolean_parameter(&Scheme::by_half, "half",
                                "factor over the half vector, for lobes about the mirror direction")},
-        .about =
+        .description =
             "Samples a sum of a few lobes fitted to the BRDF by non-negative matrix factorisation. The "
             "parameters must be found by trial; use `half=false` for diffuse BRDFs and `half=true` for "
             "glossy ones. A hundredth of the samples is uniform over the hemisphere, so that the pdf is "
@@ -54,7 +54,7 @@ struct FactoredScheme {
     };
   }
 
-  std::string wrong_together() const {
+  std::string validate() const {
     for (const float count : {view_angles, view_azimuths, rows, columns, view_factors, lobe_factors}) {
       if (count != std::round(count)) return "uTh, uPh, pTh, pPh, J and K must be whole numbers";
     }
@@ -63,7 +63,7 @@ struct FactoredScheme {
     return "uTh times uPh times pTh times pPh must be at most 16,777,216";
   }
 
-  static std::string refusal(const Brdf&) { return {}; }
+  static std::string unsupported_reason(const Brdf&) { return {}; }
 
   void build(const Brdf& brdf) {
     factors = given ? given : std::make_shared<const Factors>(Factors::make(brdf, size_for(brdf)));
@@ -85,17 +85,17 @@ struct FactoredScheme {
   }
 
   std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
-    if (u.z <= 0 || !has_density(brdf)) return std::nullopt;
+    if (u.z <= 0 || !has_nonspecular_part(brdf)) return std::nullopt;
     const Vec3f w = factors->direction(u, xi);
     if (by_half && u.dot(w) <= 0) return std::nullopt;
     const Vec3f v = by_half ? reflected(u, w).normalized() : w;
-    return weighted(brdf, u, v, density(brdf, u, v));
+    return weighted(brdf, u, v, pdf(brdf, u, v));
   }
 
-  float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
-    if (u.z <= 0 || v.z <= 0 || !has_density(brdf)) return 0;
-    if (!by_half) return factors->density(u, v);
-    return factors->density(u, (u + v).normalized()) / (4 * cosine_of_half(u, v));
+  float pdf(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
+    if (u.z <= 0 || v.z <= 0 || !has_nonspecular_part(brdf)) return 0;
+    if (!by_half) return factors->pdf(u, v);
+    return factors->pdf(u, (u + v).normalized()) / (4 * cosine_of_half(u, v));
   }
 
  private:

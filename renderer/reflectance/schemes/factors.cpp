@@ -48,7 +48,7 @@ Eigen::VectorXd seen_from(const Brdf& brdf, const Vec3f& u, const DirectionGrid&
 /// The lobes of one of the J factors.
 struct Lobes {
   std::vector<float> curves;
-  std::vector<double> shares;  ///< fractions of its energy, which sum to 1
+  std::vector<double> fractions;  ///< fractions of its energy, which sum to 1
 };
 
 Lobes split(const Eigen::VectorXd& cells, const FactorSize& size) {
@@ -64,17 +64,17 @@ Lobes split(const Eigen::VectorXd& cells, const FactorSize& size) {
       const std::vector<float> curve = cumulative({masses.data(), static_cast<std::size_t>(masses.size())});
       lobes.curves.insert(lobes.curves.end(), curve.begin(), curve.end());
     }
-    lobes.shares.push_back(parts.left.row(k).sum() * parts.right.row(k).sum());
-    whole += lobes.shares.back();
+    lobes.fractions.push_back(parts.left.row(k).sum() * parts.right.row(k).sum());
+    whole += lobes.fractions.back();
   }
-  for (double& share : lobes.shares) share = whole > 0 ? share / whole : 0;
+  for (double& fraction : lobes.fractions) fraction = whole > 0 ? fraction / whole : 0;
   return lobes;
 }
 
 /// The two nearest of evenly spaced centres in [0,1], with the weight of the second.
 struct Neighbours {
   std::size_t first = 0, second = 0;
-  float share = 0;
+  float fraction = 0;
 };
 
 Neighbours neighbours(float place, std::size_t count, bool is_round) {
@@ -107,7 +107,8 @@ Factors Factors::make(const Brdf& brdf, const FactorSize& size) {
     const double whole = energies.sum();
     for (std::size_t j = 0; j < lobes.size(); ++j) {
       const double energy = whole > 0 ? energies(static_cast<Index>(j)) / whole : 0;
-      for (const double share : lobes[j].shares) weights.push_back(static_cast<float>(energy * share));
+      for (const double fraction : lobes[j].fractions)
+        weights.push_back(static_cast<float>(energy * fraction));
     }
   }
   std::vector<float> curves;
@@ -133,18 +134,18 @@ Factors::Weights Factors::lobe_weights(const Vec3f& u) const {
   const std::size_t lobes = size_.lobes();
   Weights weights;
   std::fill_n(weights.begin(), lobes, 0.0F);
-  const auto add = [&](std::size_t angle, std::size_t azimuth, float share) {
+  const auto add = [&](std::size_t angle, std::size_t azimuth, float fraction) {
     const float* of_view = view_weights_.data() + (azimuth * size_.view_angles + angle) * lobes;
-    for (std::size_t i = 0; i < lobes; ++i) weights[i] += share * of_view[i];
+    for (std::size_t i = 0; i < lobes; ++i) weights[i] += fraction * of_view[i];
   };
   const Neighbours angle = neighbours(right_angles_of(versine_of(u)), size_.view_angles, false);
   const Neighbours azimuth =
       size_.view_azimuths > 1 ? neighbours(turns_of(u), size_.view_azimuths, true) : Neighbours();
-  for (const auto& [i, share] :
-       {std::pair(azimuth.first, 1 - azimuth.share), std::pair(azimuth.second, azimuth.share)}) {
-    if (!(share > 0)) continue;
-    add(angle.first, i, share * (1 - angle.share));
-    add(angle.second, i, share * angle.share);
+  for (const auto& [i, fraction] :
+       {std::pair(azimuth.first, 1 - azimuth.fraction), std::pair(azimuth.second, azimuth.fraction)}) {
+    if (!(fraction > 0)) continue;
+    add(angle.first, i, fraction * (1 - angle.fraction));
+    add(angle.second, i, fraction * angle.fraction);
   }
   float sum = 0;
   for (std::size_t i = 0; i < lobes; ++i) sum += weights[i];
@@ -161,15 +162,15 @@ Vec3f Factors::direction(const Vec3f& u, const Uniforms& xi) const {
   std::size_t lobe = 0;
   for (float left = xi.choice; lobe < floor && left >= weights[lobe]; ++lobe) left -= weights[lobe];
   if (lobe == floor) return uniform_direction(xi.direction);
-  const CurvePlace row = inverted(theta_curve(lobe), xi.direction.x);
-  const CurvePlace column = inverted(phi_curve(lobe), xi.direction.y);
+  const CdfPosition row = inverted(theta_curve(lobe), xi.direction.x);
+  const CdfPosition column = inverted(phi_curve(lobe), xi.direction.y);
   const float turned = static_cast<float>(column.cell) + column.fraction;
   const Vec3f w = grid_.direction(row.cell, row.cell + 1, row.fraction, turned);
-  return size_.view_azimuths > 1 ? w : Turn(u).from_plane(w);
+  return size_.view_azimuths > 1 ? w : AzimuthRotation(u).from_plane(w);
 }
 
-float Factors::density(const Vec3f& u, const Vec3f& w) const {
-  const Vec3f turned = size_.view_azimuths > 1 ? w : Turn(u).to_plane(w);
+float Factors::pdf(const Vec3f& u, const Vec3f& w) const {
+  const Vec3f turned = size_.view_azimuths > 1 ? w : AzimuthRotation(u).to_plane(w);
   const std::size_t row = grid_.row_of(turned);
   const std::size_t column = grid_.column_of(turned);
   const Weights weights = lobe_weights(u);

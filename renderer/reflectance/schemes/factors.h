@@ -57,7 +57,7 @@ class Factors {
   Vec3f direction(const Vec3f& u, const Uniforms& xi) const;
 
   /// Returns the pdf of the whole mixture, per solid angle of w.
-  float density(const Vec3f& u, const Vec3f& w) const;
+  float pdf(const Vec3f& u, const Vec3f& w) const;
 
   std::size_t bytes() const;
 

@@ -5,14 +5,14 @@
 #include "renderer/reflectance/cosine_lobe.h"
 #include "renderer/reflectance/schemes/lobe_exponent.h"
 #include "renderer/reflectance/schemes/lobe_over_horizon.h"
-#include "renderer/reflectance/schemes/more_uniforms.h"
+#include "renderer/reflectance/schemes/split_mix.h"
 #include "renderer/reflectance/schemes/weighted.h"
 
 namespace reflectance {
 
 /// Samples a cosine lobe about the mirror direction, cut at the horizon: a direction below it is drawn again.
 struct HemisphereScheme {
-  static constexpr bool MayMiss = true;
+  static constexpr bool IsIncomplete = true;
 
   float exponent = OwnExponent;
 
@@ -24,12 +24,12 @@ struct HemisphereScheme {
         .parameters = {number_parameter(&HemisphereScheme::exponent, "exp", OwnExponent, 1e6F,
                                         "exponent of the lobe; below 0: the BRDF's own, or 10 if it has none",
                                         grf::ParameterScale::Logarithmic)},
-        .about =
+        .description =
             "Samples a cosine lobe about the mirror direction, for BRDFs with such a lobe. A direction below "
             "the horizon is drawn again, so that no sample is lost."};
   }
 
-  static std::string refusal(const Brdf&) { return {}; }
+  static std::string unsupported_reason(const Brdf&) { return {}; }
 
   void build(const Brdf& brdf) {
     n_ = exponent >= 0 ? exponent : own_exponents(brdf).about_mirror();
@@ -41,15 +41,15 @@ struct HemisphereScheme {
     constexpr int MostTries = 64;  // each try succeeds with a probability of at least 1/2
     if (!(u.z > 0)) return std::nullopt;
     Vec3f v = cosine_lobe_direction(u, n_, xi.direction);
-    MoreUniforms more(xi);
+    SplitMix more(xi);
     for (int tries = 1; !(v.z > 0) && tries < MostTries; ++tries) {
       v = cosine_lobe_direction(u, n_, more.next_pair());
     }
-    return weighted(brdf, u, v, density(brdf, u, v));
+    return weighted(brdf, u, v, pdf(brdf, u, v));
   }
-  float density(const Brdf&, const Vec3f& u, const Vec3f& v) const {
+  float pdf(const Brdf&, const Vec3f& u, const Vec3f& v) const {
     if (!(u.z > 0 && v.z > 0) || !over_horizon_) return 0;
-    return cosine_lobe_density(u, v, n_) / over_horizon_->share(u.z);
+    return cosine_lobe_pdf(u, v, n_) / over_horizon_->fraction(u.z);
   }
 
  private:

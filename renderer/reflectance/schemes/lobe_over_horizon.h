@@ -19,7 +19,7 @@ class LobeOverHorizon {
   explicit LobeOverHorizon(double n);
 
   /// Returns the fraction for the cosine of r to the normal.
-  float share(float cosine) const {
+  float fraction(float cosine) const {
     const float place = std::asin(std::clamp(cosine, 0.0F, 1.0F)) * steps_per_radian_;
     if (!(place < Steps)) return 1;
     const int step = static_cast<int>(place);

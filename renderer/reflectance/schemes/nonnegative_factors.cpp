@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "renderer/parallel/loops.h"
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 
 namespace reflectance {
 namespace {
@@ -33,7 +33,7 @@ Eigen::MatrixXd start(const Eigen::VectorXd& sums, Eigen::Index rank, std::uint3
   Eigen::MatrixXd matrix(rank, sums.size());
   for (Eigen::Index i = 0; i < sums.size(); ++i) {
     for (Eigen::Index k = 0; k < rank; ++k) {
-      const auto point = even_point(seed + static_cast<std::uint32_t>(i * rank + k) * 7);
+      const auto point = halton_point(seed + static_cast<std::uint32_t>(i * rank + k) * 7);
       matrix(k, i) = sums(i) * (0.05 + (rank > 1 ? static_cast<double>(point.choice) : 0.95));
     }
   }

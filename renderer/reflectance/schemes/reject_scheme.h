@@ -26,7 +26,7 @@ struct RejectScheme : RejectionSampler {
                  number_parameter(&Self::resolution, "res", 2, 8192,
                                   "grid resolution over the disc, in cells per edge"),
                  boolean_parameter(&Self::release, "release", "free the tables; values are then recomputed")},
-            .about =
+            .description =
                 "Rejection sampling over the whole disc of projected directions, under a table of f. It is "
                 "`adaptive` without subdivision: good for diffuse surfaces, and slow for any lobe."};
   }

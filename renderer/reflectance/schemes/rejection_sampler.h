@@ -11,8 +11,8 @@ namespace reflectance {
 /// Sampling from rejection trees, shared by the schemes that use them.
 class RejectionSampler {
  public:
-  static std::string refusal(const Brdf& brdf) {
-    return has_density(brdf) || !has_mirror(brdf)
+  static std::string unsupported_reason(const Brdf& brdf) {
+    return has_nonspecular_part(brdf) || !has_specular_part(brdf)
                ? ""
                : "the BRDF is only a mirror (delta part): use 'specular' or 'auto'";
   }
@@ -26,18 +26,18 @@ class RejectionSampler {
   std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
     const auto drawn = trees_ ? trees_->draw(brdf, u, xi) : std::nullopt;
     if (!drawn) return std::nullopt;
-    return weighted(brdf, u, drawn->direction, drawn->density);
+    return weighted(brdf, u, drawn->direction, drawn->pdf);
   }
-  float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
-    return trees_ ? trees_->density(brdf, u, v) : 0;
+  float pdf(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
+    return trees_ ? trees_->pdf(brdf, u, v) : 0;
   }
 
   /// Draws a batch of samples; see reflectance::sample_many.
   void sample_many(const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi,
                    std::vector<DirectionSample>& out) const {
     if (!trees_) return;
-    for (const DrawnDirection& drawn : trees_->draw_many(brdf, u, xi)) {
-      if (const auto sample = weighted(brdf, u, drawn.direction, drawn.density)) out.push_back(*sample);
+    for (const SampledDirection& drawn : trees_->draw_many(brdf, u, xi)) {
+      if (const auto sample = weighted(brdf, u, drawn.direction, drawn.pdf)) out.push_back(*sample);
     }
   }
 

@@ -28,7 +28,7 @@ RejectionTree::RejectionTree(const std::vector<float>& values, const DiscGrid& g
   // Leaves of a subdivided tree are hit too often for the bound to matter.
   const double hit = root.integral / (root.maximum * Box().area());
   const double reached = root.children < 0 ? -std::expm1(Bound * std::log1p(-hit)) : 1;
-  density_of_one_ = static_cast<float>(reached / root.integral);
+  pdf_of_one_ = static_cast<float>(reached / root.integral);
   if (!keep_table) std::vector<half>().swap(table_);
 }
 
@@ -97,7 +97,7 @@ RejectionTree::Leaf RejectionTree::leaf_of(double choice) const {
   return leaf;
 }
 
-void RejectionTree::split_count(const Node& node, int count, MoreUniforms& more, int (&counts)[4]) const {
+void RejectionTree::split_count(const Node& node, int count, SplitMix& more, int (&counts)[4]) const {
   const Node* children = &nodes_[node.children];
   double total = 0;
   for (int i = 0; i < 4; ++i) total += children[i].integral;

@@ -8,7 +8,7 @@
 #include <half.h>
 
 #include "renderer/reflectance/schemes/disc.h"
-#include "renderer/reflectance/schemes/more_uniforms.h"
+#include "renderer/reflectance/schemes/split_mix.h"
 
 namespace reflectance {
 
@@ -82,14 +82,14 @@ class RejectionTree {
 
   /// Distributes samples over the leaves (SplitN and Choose of section 5.3.1): calls visit(leaf, count).
   template <class Visit>
-  void share(int count, MoreUniforms& more, Visit visit) const {
-    share(0, whole(), count, more, visit);
+  void distribute(int count, SplitMix& more, Visit visit) const {
+    distribute(0, whole(), count, more, visit);
   }
 
   /// Samples a point of a leaf in proportion to value(x, y), which is at most the leaf's maximum. The first
   /// try is at `first`. Returns nothing if the bound is reached.
   template <class Value>
-  std::optional<Point> draw(const Leaf& leaf, const Vec2f& first, MoreUniforms& more, Value value) const {
+  std::optional<Point> draw(const Leaf& leaf, const Vec2f& first, SplitMix& more, Value value) const {
     const Box box = inside_disc(DiscGrid::box(leaf.cells, resolution_));
     double s = first.x;
     double t = first.y;
@@ -120,7 +120,7 @@ class RejectionTree {
   }
 
   /// Returns the pdf on the disc of a value of 1. It accounts for the samples that the bound discards.
-  float density_of_one() const { return density_of_one_; }
+  float pdf_of_one() const { return pdf_of_one_; }
 
   std::span<const Node> nodes() const { return nodes_; }
   std::size_t bytes() const {
@@ -134,23 +134,23 @@ class RejectionTree {
   Node measured(const CellRange& cells, const DiscGrid& grid) const;
 
   /// Distributes `count` points over the four children.
-  void split_count(const Node& node, int count, MoreUniforms& more, int (&counts)[4]) const;
+  void split_count(const Node& node, int count, SplitMix& more, int (&counts)[4]) const;
 
   template <class Visit>
-  void share(std::size_t index, const CellRange& cells, int count, MoreUniforms& more, Visit& visit) const {
+  void distribute(std::size_t index, const CellRange& cells, int count, SplitMix& more, Visit& visit) const {
     const Node& node = nodes_[index];
     if (node.children < 0) return visit(Leaf{&node, cells}, count);
     int counts[4];
     split_count(node, count, more, counts);
     for (int i = 0; i < 4; ++i) {
-      if (counts[i] > 0) share(node.children + i, cells.quarter(i), counts[i], more, visit);
+      if (counts[i] > 0) distribute(node.children + i, cells.quarter(i), counts[i], more, visit);
     }
   }
 
   int resolution_ = 0;
   float largest_ = 0;  ///< the largest value, which is 1 in the table
   float floor_ = 0;    ///< the smallest entry of the table
-  float density_of_one_ = 0;
+  float pdf_of_one_ = 0;
   std::vector<Node> nodes_;
   std::vector<half> table_;
 };

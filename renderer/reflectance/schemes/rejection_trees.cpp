@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "renderer/parallel/loops.h"
-#include "renderer/reflectance/schemes/turn.h"
+#include "renderer/reflectance/schemes/azimuth_rotation.h"
 
 namespace reflectance {
 namespace {
@@ -17,7 +17,7 @@ Vec3f over_disc(double x, double y) {
 
 /// Evaluates f at a point of the disc in the frame of a tree.
 float scalar(const Brdf& brdf, const Vec3f& tree_u, const Vec2f& azimuth, double x, double y) {
-  const Turn turn(azimuth.x, azimuth.y);
+  const AzimuthRotation turn(azimuth.x, azimuth.y);
   return mean(evaluate(brdf, turn.from_plane(tree_u), turn.from_plane(over_disc(x, y))));
 }
 
@@ -37,7 +37,7 @@ Vec2f middle(const Box& cell) {
 RejectionTrees::RejectionTrees(const Brdf& brdf, const RejectionSettings& settings)
     : thetas_(settings.thetas), phis_(settings.phis) {
   if (phis_ == 0) phis_ = is_anisotropic(brdf) ? AnisotropicPhis : 1;
-  if (!has_density(brdf)) return;
+  if (!has_nonspecular_part(brdf)) return;
   const DiscGrid grid(settings.resolution);
   trees_.resize(static_cast<std::size_t>(thetas_) * phis_);
   parallel::for_each_index(trees_.size(), [&](std::size_t i) {
@@ -92,11 +92,11 @@ float RejectionTrees::value(const Brdf& brdf, const View& view, double x, double
   return tree.tabulated(scalar(brdf, view.tree_u, view.tree_azimuth, point.x, point.y));
 }
 
-std::optional<DrawnDirection> RejectionTrees::draw(const Brdf& brdf, const Vec3f& u,
-                                                   const Uniforms& xi) const {
+std::optional<SampledDirection> RejectionTrees::draw(const Brdf& brdf, const Vec3f& u,
+                                                     const Uniforms& xi) const {
   const auto view = view_of(u);
   if (!view) return std::nullopt;
-  MoreUniforms more(xi);
+  SplitMix more(xi);
   // The choice has 24 bits, which a deep tree uses up.
   const RejectionTree::Leaf leaf = view->tree->leaf_of(xi.choice + 0x1p-24 * more.next());
   const auto point = draw_point(brdf, *view, leaf, xi.direction, more);
@@ -104,15 +104,15 @@ std::optional<DrawnDirection> RejectionTrees::draw(const Brdf& brdf, const Vec3f
   return drawn(brdf, u, *view, *point);
 }
 
-std::vector<DrawnDirection> RejectionTrees::draw_many(const Brdf& brdf, const Vec3f& u,
-                                                      std::span<const Uniforms> xi) const {
-  std::vector<DrawnDirection> all;
+std::vector<SampledDirection> RejectionTrees::draw_many(const Brdf& brdf, const Vec3f& u,
+                                                        std::span<const Uniforms> xi) const {
+  std::vector<SampledDirection> all;
   const auto view = view_of(u);
   if (!view || xi.empty()) return all;
   all.reserve(xi.size());
-  MoreUniforms more(xi.front());
+  SplitMix more(xi.front());
   std::size_t next = 0;
-  view->tree->share(static_cast<int>(xi.size()), more, [&](const RejectionTree::Leaf& leaf, int count) {
+  view->tree->distribute(static_cast<int>(xi.size()), more, [&](const RejectionTree::Leaf& leaf, int count) {
     for (int i = 0; i < count; ++i) {
       const auto point = draw_point(brdf, *view, leaf, xi[next++].direction, more);
       if (point) all.push_back(drawn(brdf, u, *view, *point));
@@ -123,22 +123,22 @@ std::vector<DrawnDirection> RejectionTrees::draw_many(const Brdf& brdf, const Ve
 
 std::optional<RejectionTree::Point> RejectionTrees::draw_point(const Brdf& brdf, const View& view,
                                                                const RejectionTree::Leaf& leaf,
-                                                               const Vec2f& first, MoreUniforms& more) const {
+                                                               const Vec2f& first, SplitMix& more) const {
   return view.tree->draw(leaf, first, more, [&](double x, double y) { return value(brdf, view, x, y); });
 }
 
 /// Returns the sample with the pdf of the direction as rounded, which may be in the next cell.
-DrawnDirection RejectionTrees::drawn(const Brdf& brdf, const Vec3f& u, const View& view,
-                                     const RejectionTree::Point& point) const {
-  const Vec3f v = Turn(view.cosine, view.sine).from_plane(over_disc(point.x, point.y));
-  return {v, density(brdf, u, v)};
+SampledDirection RejectionTrees::drawn(const Brdf& brdf, const Vec3f& u, const View& view,
+                                       const RejectionTree::Point& point) const {
+  const Vec3f v = AzimuthRotation(view.cosine, view.sine).from_plane(over_disc(point.x, point.y));
+  return {v, pdf(brdf, u, v)};
 }
 
-float RejectionTrees::density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
+float RejectionTrees::pdf(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
   const auto view = view_of(u);
   if (!view || !(v.z > 0)) return 0;
-  const Vec3f local = Turn(view->cosine, view->sine).to_plane(v);
-  return value(brdf, *view, local.x, local.y) * view->tree->density_of_one() * v.z;
+  const Vec3f local = AzimuthRotation(view->cosine, view->sine).to_plane(v);
+  return value(brdf, *view, local.x, local.y) * view->tree->pdf_of_one() * v.z;
 }
 
 std::size_t RejectionTrees::bytes() const {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "renderer/reflectance/brdf.h"
-#include "renderer/reflectance/schemes/drawn_direction.h"
 #include "renderer/reflectance/schemes/rejection_tree.h"
+#include "renderer/reflectance/schemes/sampled_direction.h"
 
 namespace reflectance {
 
@@ -28,21 +28,21 @@ struct RejectionSettings {
 /// view's azimuth and is rotated to u's, so that a lobe stays at the mirror direction; for an anisotropic
 /// BRDF, the nearest azimuth gives the shape.
 ///
-/// What is sampled is constant in each cell of a grid, so the pdf is exact: the cell's value comes from the
-/// table, or without one is recomputed as it was for the tree.
-/// comes from the table, or without one is computed again as it was for the tree.
+/// The sampled function is constant in each cell of a grid, so the pdf is exact: the cell's value comes from
+/// the table, or without one is recomputed as it was for the tree.
 class RejectionTrees {
  public:
   RejectionTrees(const Brdf& brdf, const RejectionSettings& settings);
 
   /// Samples a direction; nothing if u is below the horizon, the BRDF black, or RejectionTree::Bound reached.
-  std::optional<DrawnDirection> draw(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const;
+  std::optional<SampledDirection> draw(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const;
 
   /// Samples a direction per xi, without those for which `draw` returns nothing; each has the pdf of `draw`,
   /// and together they are stratified over the tree.
-  std::vector<DrawnDirection> draw_many(const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi) const;
+  std::vector<SampledDirection> draw_many(const Brdf& brdf, const Vec3f& u,
+                                          std::span<const Uniforms> xi) const;
 
-  float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const;
+  float pdf(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const;
 
   std::span<const RejectionTree> trees() const { return trees_; }
   std::size_t bytes() const;
@@ -64,9 +64,9 @@ class RejectionTrees {
   float value(const Brdf& brdf, const View& view, double x, double y) const;
   std::optional<RejectionTree::Point> draw_point(const Brdf& brdf, const View& view,
                                                  const RejectionTree::Leaf& leaf, const Vec2f& first,
-                                                 MoreUniforms& more) const;
-  DrawnDirection drawn(const Brdf& brdf, const Vec3f& u, const View& view,
-                       const RejectionTree::Point& point) const;
+                                                 SplitMix& more) const;
+  SampledDirection drawn(const Brdf& brdf, const Vec3f& u, const View& view,
+                         const RejectionTree::Point& point) const;
 
   int thetas_;
   int phis_;

@@ -10,20 +10,20 @@ struct SpecularScheme {
   static ModelTable<SpecularScheme> table() {
     return {.keyword = "specular",
             .title = "Mirror direction",
-            .about =
+            .description =
                 "The mirror direction of the view, for BRDFs with a delta part (ideal mirrors). Anything "
                 "else that they reflect is sampled by the cosine."};
   }
 
-  static std::string refusal(const Brdf& brdf) {
-    return has_mirror(brdf) ? "" : "the BRDF has no mirror (delta part): use 'diffuse' or 'auto'";
+  static std::string unsupported_reason(const Brdf& brdf) {
+    return has_specular_part(brdf) ? "" : "the BRDF has no mirror (delta part): use 'diffuse' or 'auto'";
   }
 
   std::optional<DirectionSample> sample(const Brdf& brdf, const Vec3f& u, const Uniforms& xi) const {
     return DiffuseScheme().sample(brdf, u, xi);
   }
-  float density(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
-    return DiffuseScheme().density(brdf, u, v);
+  float pdf(const Brdf& brdf, const Vec3f& u, const Vec3f& v) const {
+    return DiffuseScheme().pdf(brdf, u, v);
   }
 };
 

@@ -147,7 +147,7 @@ class WarpCursor {
 };
 
 /// One of the trees around a view, with its blend weight.
-struct WarpPart {
+struct WeightedTree {
   const WarpTop* top = nullptr;
   const WarpQuad* quads = nullptr;
   float weight = 0;
@@ -156,10 +156,11 @@ struct WarpPart {
 /// Descends several trees at once, from the top of a column to a sample within a leaf of each, and returns
 /// the blend of the leaves.
 template <std::size_t Count>
-BilinearPatch walk_down(const std::array<WarpPart, Count>& parts, std::size_t column, WarpDescent& descent) {
+BilinearPatch walk_down(const std::array<WeightedTree, Count>& parts, std::size_t column,
+                        WarpDescent& descent) {
   const auto blend = [&](auto means_of) {
     Lanes sum = _mm_setzero_ps();
-    for (const WarpPart& part : parts) {
+    for (const WeightedTree& part : parts) {
       sum = sum + _mm_set1_ps(part.weight) * _mm_loadu_ps(means_of(*part.top).data());
     }
     return sum;
@@ -170,7 +171,7 @@ BilinearPatch walk_down(const std::array<WarpPart, Count>& parts, std::size_t co
   });
   std::array<WarpCursor, Count> cursors;
   for (std::size_t i = 0; i < Count; ++i) {
-    const WarpPart& part = parts[i];
+    const WeightedTree& part = parts[i];
     cursors[i] = {part.top->strips[column][descent.cell().strip], part.quads, part.weight,
                   descent.cell().cell};
   }

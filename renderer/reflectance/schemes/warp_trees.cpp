@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "renderer/parallel/loops.h"
-#include "renderer/reflectance/even_points.h"
-#include "renderer/reflectance/schemes/turn.h"
+#include "renderer/reflectance/halton.h"
+#include "renderer/reflectance/schemes/azimuth_rotation.h"
 #include "renderer/reflectance/schemes/warp_descent.h"
 
 namespace reflectance {
@@ -48,7 +48,7 @@ class Target {
     std::vector<ColumnPoint> points;
     for (std::uint32_t i = 0; i < Count; ++i) {
       const auto drawn =
-          std::visit([&](const auto& model) { return model.sample(u_, even_point(i)); }, brdf_);
+          std::visit([&](const auto& model) { return model.sample(u_, halton_point(i)); }, brdf_);
       if (!drawn || !(drawn->direction.z > 0)) continue;
       points.push_back(columns_.point(turn_.to_plane(drawn->direction)));
     }
@@ -65,7 +65,7 @@ class Target {
   const Brdf& brdf_;
   bool is_half_;
   ViewColumns columns_;
-  Turn turn_;
+  AzimuthRotation turn_;
   Vec3f u_;
 };
 
@@ -101,8 +101,8 @@ WarpTrees::Symmetry WarpTrees::symmetry_of(const Brdf& brdf) {
   constexpr std::uint32_t Trials = 256;
   Symmetry symmetry{true, true};
   for (std::uint32_t i = 0; i < Trials; ++i) {
-    const Vec3f u = cosine_direction(even_point(i).direction);
-    const Vec3f v = cosine_direction(even_point(Trials + i).direction);
+    const Vec3f u = cosine_direction(halton_point(i).direction);
+    const Vec3f v = cosine_direction(halton_point(Trials + i).direction);
     const float value = mean(evaluate(brdf, u, v));
     const auto changes = [&](const Vec3f& factors) {
       return std::abs(mean(evaluate(brdf, u * factors, v * factors)) - value) > 1e-3F * value;
@@ -129,9 +129,9 @@ int WarpTrees::phi_count_for(const Brdf& brdf) const {
     double sum = 0;
     double squares = 0;
     for (std::uint32_t i = 0; i < Samples; ++i) {
-      const auto drawn = some.sample(u, even_point(i).direction);
+      const auto drawn = some.sample(u, halton_point(i).direction);
       if (!drawn) continue;
-      const double weight = mean(evaluate(brdf, u, drawn->direction)) * drawn->direction.z / drawn->density;
+      const double weight = mean(evaluate(brdf, u, drawn->direction)) * drawn->direction.z / drawn->pdf;
       sum += weight;
       squares += weight * weight;
     }
@@ -180,11 +180,11 @@ WarpTrees::Azimuth WarpTrees::azimuth_of(const Vec3f& u) const {
   const std::size_t last = count - 1;
   azimuth.low = std::min(static_cast<std::size_t>(static_cast<int>(place)), last);
   azimuth.high = azimuth.low < last ? azimuth.low + 1 : (symmetry_.mirror ? last : 0);
-  azimuth.high_share = std::min(place - static_cast<float>(azimuth.low), 1.0F);
+  azimuth.high_fraction = std::min(place - static_cast<float>(azimuth.low), 1.0F);
   return azimuth;
 }
 
-WarpPart WarpTrees::part(std::size_t theta, std::size_t phi, float weight) const {
+WeightedTree WarpTrees::part(std::size_t theta, std::size_t phi, float weight) const {
   const std::size_t tree = theta * static_cast<std::size_t>(settings_.phi_count) + phi;
   return {&tops_[tree], quads_.data() + first_quads_[tree], weight};
 }
@@ -195,31 +195,31 @@ WarpTrees::Blend WarpTrees::blend_for(const Vec3f& u) const {
   const int last = settings_.theta_count - 1;
   const float row = std::min(radius / LastRadius, 1.0F) * static_cast<float>(last);
   const int low = static_cast<int>(row);
-  const float share = row - static_cast<float>(low);
+  const float fraction = row - static_cast<float>(low);
   const auto low_row = static_cast<std::size_t>(low);
   const auto high_row = static_cast<std::size_t>(std::min(low + 1, last));
   if (settings_.phi_count == 1) {
-    blend.parts = {part(low_row, 0, 1 - share), part(high_row, 0, share), part(low_row, 0, 0)};
+    blend.parts = {part(low_row, 0, 1 - fraction), part(high_row, 0, fraction), part(low_row, 0, 0)};
   } else {
     // The blend is barycentric on one of the two triangles of the four views around it.
     const Azimuth azimuth = azimuth_of(u);
     blend.side = azimuth.side;
-    const float across = azimuth.high_share;
-    const float beyond = share + across - 1;
+    const float across = azimuth.high_fraction;
+    const float beyond = fraction + across - 1;
     const std::size_t third_row = beyond > 0 ? high_row : low_row;
     const std::size_t third_azimuth = beyond > 0 ? azimuth.high : azimuth.low;
-    blend.parts = {part(high_row, azimuth.low, std::min(share, 1 - across)),
-                   part(low_row, azimuth.high, std::min(across, 1 - share)),
+    blend.parts = {part(high_row, azimuth.low, std::min(fraction, 1 - across)),
+                   part(low_row, azimuth.high, std::min(across, 1 - fraction)),
                    part(third_row, third_azimuth, std::abs(beyond))};
   }
   const std::array<float, 4> widths = blend.columns.widths();
-  for (const WarpPart& one : blend.parts) {
+  for (const WeightedTree& one : blend.parts) {
     for (std::size_t k = 0; k < 4; ++k) blend.masses[k] += one.weight * widths[k] * one.top->column_means[k];
   }
   return blend;
 }
 
-std::optional<DrawnDirection> WarpTrees::sample(const Vec3f& u, const Vec2f& xi) const {
+std::optional<SampledDirection> WarpTrees::sample(const Vec3f& u, const Vec2f& xi) const {
   if (!(u.z > 0)) return std::nullopt;
   const Blend blend = blend_for(u);
   if (!(blend.mass() > 0)) return std::nullopt;
@@ -238,20 +238,20 @@ std::optional<DrawnDirection> WarpTrees::sample(const Vec3f& u, const Vec2f& xi)
                                   ? walk_down<2>({first, second}, column, descent)
                                   : walk_down<3>({first, second, third}, column, descent);
   const Vec2f local = warped(patch, descent.rest());
-  const float density = value_at(patch, local) / (blend.mass() * Pi);
+  const float pdf = value_at(patch, local) / (blend.mass() * Pi);
   const Vec3f v = blend.columns.direction({column, descent.to_column(local)});
-  if (!(v.z > 0) || !(density > 0)) return std::nullopt;
-  return DrawnDirection{Turn(u).from_plane({v.x, side * v.y, v.z}), density};
+  if (!(v.z > 0) || !(pdf > 0)) return std::nullopt;
+  return SampledDirection{AzimuthRotation(u).from_plane({v.x, side * v.y, v.z}), pdf};
 }
 
-float WarpTrees::density(const Vec3f& u, const Vec3f& v) const {
+float WarpTrees::pdf(const Vec3f& u, const Vec3f& v) const {
   if (!(u.z > 0) || !(v.z > 0)) return 0;
   const Blend blend = blend_for(u);
   if (!(blend.mass() > 0)) return 0;
-  const Vec3f relative = Turn(u).to_plane(v);
+  const Vec3f relative = AzimuthRotation(u).to_plane(v);
   const ColumnPoint point = blend.columns.point({relative.x, blend.side * relative.y, relative.z});
   float sum = 0;
-  for (const WarpPart& one : blend.parts) {
+  for (const WeightedTree& one : blend.parts) {
     if (one.weight > 0) sum += one.weight * value_at(*one.top, one.quads, point);
   }
   return sum / (blend.mass() * Pi);

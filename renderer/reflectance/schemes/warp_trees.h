@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/reflectance/brdf.h"
-#include "renderer/reflectance/schemes/drawn_direction.h"
+#include "renderer/reflectance/schemes/sampled_direction.h"
 #include "renderer/reflectance/schemes/warp_descent.h"
 
 namespace reflectance {
@@ -33,10 +33,10 @@ class WarpTrees {
   WarpTrees(const Brdf& brdf, const WarpTreesSettings& settings);
 
   /// Samples a direction; nothing for a view from which the BRDF is black.
-  std::optional<DrawnDirection> sample(const Vec3f& u, const Vec2f& xi) const;
+  std::optional<SampledDirection> sample(const Vec3f& u, const Vec2f& xi) const;
 
   /// Returns the pdf of `sample`.
-  float density(const Vec3f& u, const Vec3f& v) const;
+  float pdf(const Vec3f& u, const Vec3f& v) const;
 
   std::size_t bytes() const;
 
@@ -50,12 +50,12 @@ class WarpTrees {
   struct Azimuth {
     std::size_t low = 0;
     std::size_t high = 0;
-    float high_share = 0;
+    float high_fraction = 0;
     float side = 1;  ///< -1: the trees are of the mirrored view
   };
   struct Blend {
     ViewColumns columns;
-    std::array<WarpPart, 3> parts = {};
+    std::array<WeightedTree, 3> parts = {};
     std::array<float, 4> masses = {};  ///< of the columns
     float side = 1;                    ///< -1: the trees are mirrored at the plane of the view
 
@@ -69,7 +69,7 @@ class WarpTrees {
   float azimuth(std::size_t index) const;
   Azimuth azimuth_of(const Vec3f& u) const;
   Blend blend_for(const Vec3f& u) const;
-  WarpPart part(std::size_t theta, std::size_t phi, float weight) const;
+  WeightedTree part(std::size_t theta, std::size_t phi, float weight) const;
 
   WarpTreesSettings settings_;
   bool is_isotropic_;

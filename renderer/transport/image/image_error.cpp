@@ -56,10 +56,10 @@ double mean_brightness(const Image& image) {
 
 /// The brightest pixel within two pixels of one.
 double brightest_near(const Image& image, int x, int y) {
-  constexpr int Reach = 2;
+  constexpr int Radius = 2;
   double brightest = 0;
-  for (int j = std::max(0, y - Reach); j <= std::min(image.height - 1, y + Reach); ++j) {
-    for (int i = std::max(0, x - Reach); i <= std::min(image.width - 1, x + Reach); ++i) {
+  for (int j = std::max(0, y - Radius); j <= std::min(image.height - 1, y + Radius); ++j) {
+    for (int i = std::max(0, x - Radius); i <= std::min(image.width - 1, x + Radius); ++i) {
       brightest = std::max(brightest, brightness(image.at(i, j)));
     }
   }

@@ -17,9 +17,9 @@ struct PixelFeatures {
 };
 
 /// An unbiased Monte Carlo estimate of the albedo, by the sampling scheme.
-Rgb albedo_estimate(const reflectance::Reflector& reflector, const Vec3f& u, PathNumbers& numbers) {
+Rgb albedo_estimate(const reflectance::Reflector& reflector, const Vec3f& u, PathSampler& sampler) {
   constexpr int Directions = 4;
-  const PointSet points = numbers.next_set(Directions);
+  const SampleSet points = sampler.next_set(Directions);
   Rgb sum(0);
   for (int i = 0; i < Directions; ++i) {
     const Uniform4 xi = points[i];
@@ -39,11 +39,11 @@ class FeatureRays {
  public:
   FeatureRays(const CompiledScene& scene, const View& view, int width, int height)
       : scene_(scene),
-        camera_(seen_from(scene.origin(), view), width, height),
+        camera_(relative_to(scene.origin(), view), width, height),
         eye_(scene.to_local(view.eye)),
         forward_((view.target - view.eye).normalized()) {}
 
-  void add(float x, float y, PathNumbers& numbers, PixelFeatures& features) const {
+  void add(float x, float y, PathSampler& sampler, PixelFeatures& features) const {
     const Ray ray = camera_.ray(x, y);
     const auto point = scene_.intersect(ray);
     if (!point) return;
@@ -55,7 +55,7 @@ class FeatureRays {
     const reflectance::Reflector* reflector = scene_.reflector(*point->surface);
     if (reflector == nullptr) return;
     const Vec3f u = reflectance::Frame(normal, point->tangent).to_local(back);
-    if (u.z > 0) features.albedo += point->colour * albedo_estimate(*reflector, u, numbers);
+    if (u.z > 0) features.albedo += point->colour * albedo_estimate(*reflector, u, sampler);
   }
 
  private:
@@ -80,9 +80,9 @@ FeatureLayers feature_layers(const CompiledScene& scene, const View& view, int w
         hash(hash(seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
     PixelFeatures sum;
     for (int sample = 0; sample < samples; ++sample) {
-      PathNumbers numbers(pixel_seed, static_cast<std::uint32_t>(sample));
-      const Uniform4 place = numbers.next();
-      rays.add(static_cast<float>(x) + place.x, static_cast<float>(y) + place.y, numbers, sum);
+      PathSampler sampler(pixel_seed, static_cast<std::uint32_t>(sample));
+      const Uniform4 place = sampler.next();
+      rays.add(static_cast<float>(x) + place.x, static_cast<float>(y) + place.y, sampler, sum);
     }
     const std::size_t index =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);

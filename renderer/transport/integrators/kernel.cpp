@@ -15,7 +15,7 @@ PathEffects path_effects(const CompiledScene& scene, const IntegratorSettings& s
   effects.area_lights = !scene.lights().empty();
   effects.environment = settings.environment != nullptr;
   effects.resampling = settings.environment && settings.resampling;
-  effects.other_than_matte = settings.measures_sampling || !scene.is_matte();
+  effects.needs_general_bsdf = settings.measures_sampling || !scene.is_diffuse();
   return effects;
 }
 

@@ -13,7 +13,7 @@
 
 namespace transport {
 
-class Scattering;
+class ShadingPoint;
 
 enum class Integrator { Path, Naive, Normals };
 
@@ -31,12 +31,12 @@ struct IntegratorSettings {
   /// than direct light may follow; `Path` only. Indirect light varies more than direct light, and splitting
   /// saves the camera ray: 2 pays under lamps, and more does not pay under an environment map. `bpt cost`
   /// shows the efficiency of a scene whose OP file sets BPT_Branches.
-  int branches = 2;
+  int split_count = 2;
   /// Uses baked irradiance, if the scene was compiled with it, for all light at a path's first hit, directly
   /// or via specular reflection, on the front of a surface without glossy and specular parts; the path ends
   /// there. `Path` only.
   bool uses_irradiance = false;
-  bool reflects_mirrors = true;    ///< else the delta part of BRDFs reflects nothing
+  bool reflects_specular = true;   ///< else the delta part of BRDFs reflects nothing
   bool uses_full_kernel = false;   ///< the kernel with all effects, whatever the scene needs; `Path` only
   bool measures_sampling = false;  ///< fills RayCounter::sampling_ticks
 };
@@ -54,13 +54,13 @@ struct RayCounter {
   NotFinite* not_finite = nullptr;   ///< where a checking kernel stores the first non-finite term
 
   template <class Value>
-  void note_unless_finite(std::string_view term, const Value& value, const SurfacePoint* where) const;
+  void check_finite(std::string_view term, const Value& value, const SurfacePoint* where) const;
 };
 
-/// Estimates the radiance that arrives along a ray. `behind` is the backplate's value, which a camera ray
+/// Estimates the radiance that arrives along a ray. `backplate` is the backplate's value, which a camera ray
 /// that hits nothing returns instead of the environment.
 using Kernel = Rgb (*)(const CompiledScene& scene, const IntegratorSettings& settings, const Ray& ray,
-                       const std::optional<Rgb>& behind, PathNumbers& numbers, RayCounter& counter);
+                       const std::optional<Rgb>& backplate, PathSampler& sampler, RayCounter& counter);
 
 /// Returns the integrator's cheapest kernel that supports the scene's effects.
 Kernel kernel_of(const CompiledScene& scene, const IntegratorSettings& settings);
@@ -70,21 +70,21 @@ Kernel searching_kernel_of(const CompiledScene& scene, const IntegratorSettings&
 
 /// Incident radiance from a unit direction, in the coordinates of the compiled scene; the direction is
 /// (0,0,0) without radiance.
-struct Arrival {
+struct IncidentSample {
   Vec3f direction = Vec3f(0);
   Rgb radiance = Rgb(0);
 };
 
 /// An estimate of the radiance that a white diffuse surface reflects, in its two parts: from light sampling
 /// and from cosine-weighted direction sampling. Pi times their sum estimates the irradiance.
-struct Gathered {
-  Arrival light, scattered;
+struct GatherSample {
+  IncidentSample light, scattered;
 };
 
 /// Estimates the incident radiance at a point whose reflector and colour are white and diffuse. This is the
 /// path's first bounce of `depth`, which must be at least 1; nothing is resampled.
-using GatherKernel = Gathered (*)(const CompiledScene& scene, const IntegratorSettings& settings,
-                                  const Scattering& scattering, PathNumbers& numbers, RayCounter& counter);
+using GatherKernel = GatherSample (*)(const CompiledScene& scene, const IntegratorSettings& settings,
+                                      const ShadingPoint& shading, PathSampler& sampler, RayCounter& counter);
 
 /// Returns the path integrator's cheapest kernel that supports the scene's effects.
 GatherKernel gather_kernel_of(const CompiledScene& scene, const IntegratorSettings& settings);
@@ -95,8 +95,7 @@ inline bool is_finite(const Rgb& value) {
 }
 
 template <class Value>
-void RayCounter::note_unless_finite(std::string_view term, const Value& value,
-                                    const SurfacePoint* where) const {
+void RayCounter::check_finite(std::string_view term, const Value& value, const SurfacePoint* where) const {
   if (not_finite == nullptr || !not_finite->term.empty() || is_finite(value)) return;
   not_finite->term = term;
   if (where != nullptr) not_finite->where = *where;

@@ -8,6 +8,6 @@ namespace transport {
 /// `secondary_rays` directions, each continues as one path up to `depth`, and lights are only hit by chance:
 /// there is no light sampling. For studies of sampling schemes.
 Rgb naive_radiance(const CompiledScene& scene, const IntegratorSettings& settings, const Ray& ray,
-                   const std::optional<Rgb>& behind, PathNumbers& numbers, RayCounter& counter);
+                   const std::optional<Rgb>& backplate, PathSampler& sampler, RayCounter& counter);
 
 }  // namespace transport

@@ -3,7 +3,7 @@
 namespace transport {
 
 Rgb normal_at_hit(const CompiledScene& scene, const IntegratorSettings&, const Ray& ray,
-                  const std::optional<Rgb>&, PathNumbers&, RayCounter& counter) {
+                  const std::optional<Rgb>&, PathSampler&, RayCounter& counter) {
   ++counter.rays;
   const auto point = scene.intersect(ray);
   if (!point) return Rgb(0);

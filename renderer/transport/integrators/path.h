@@ -9,8 +9,8 @@ struct PathEffects {
   bool area_lights = true;
   bool environment = true;
   bool resampling = true;
-  bool other_than_matte = true;  ///< BRDFs besides `diffuse`, or sampling schemes besides its own
-  bool search = false;           ///< for terms that are not finite
+  bool needs_general_bsdf = true;  ///< BRDFs besides `diffuse`, or sampling schemes besides its own
+  bool search = false;             ///< for terms that are not finite
 
   bool operator==(const PathEffects&) const = default;
 };

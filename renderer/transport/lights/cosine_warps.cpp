@@ -127,7 +127,7 @@ CosineWarps::Warped CosineWarps::warp(const Vec3f& normal, const Vec2f& xi) cons
   return {{column.place(xi.x), row.place(xi.y)}, row.share * column.share * (Cells * Cells)};
 }
 
-float CosineWarps::density(const Vec3f& normal, const Vec2f& warped) const {
+float CosineWarps::pdf(const Vec3f& normal, const Vec2f& warped) const {
   const Table& table = tables_[table_of(normal)];
   const Cell row(table.rows, cell_at(warped.y, Cells));
   const Cell column(table.columns[row.index], cell_at(warped.x, Cells));

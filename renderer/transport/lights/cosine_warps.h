@@ -22,14 +22,14 @@ class CosineWarps {
 
   struct Warped {
     grf::Vec2f xi;
-    float density = 1;  ///< pdf of `xi` over the unit square
+    float pdf = 1;  ///< pdf of `xi` over the unit square
   };
 
   /// Warps for a surface with this unit normal. `xi` is in [0,1), and so is the result.
   Warped warp(const grf::Vec3f& normal, const grf::Vec2f& xi) const;
 
   /// The pdf with which `warp` returns this point.
-  float density(const grf::Vec3f& normal, const grf::Vec2f& warped) const;
+  float pdf(const grf::Vec3f& normal, const grf::Vec2f& warped) const;
 
   std::size_t bytes() const { return tables_.capacity() * sizeof(Table); }
 

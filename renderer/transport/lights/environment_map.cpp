@@ -35,7 +35,7 @@ double accumulate(std::span<const double> weights, float* shares) {
   return total;
 }
 
-/// As std::upper_bound, without branches that depend on a random number.
+/// Works as std::upper_bound, without branches that depend on a random number.
 std::size_t first_over(const float* shares, std::size_t count, float xi) {
   const float* from = shares;
   while (count > 1) {
@@ -64,7 +64,7 @@ void EnvironmentMap::repair() {
       texel[k] = 0;
       is_wrong = true;
     }
-    if (is_wrong) ++wrong_texels_;
+    if (is_wrong) ++invalid_texels_;
   }
 }
 
@@ -182,7 +182,7 @@ std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec2f& xi) const {
   Vec3f direction = direction_in(row, column, place);
   const std::size_t texel = row * static_cast<std::size_t>(image_.width) + column;
   // Rounding may move a direction across the texel's border. Such a direction is replaced by the texel's
-  // centre, so that light next to black is not lost and `radiance` and `density` agree with the sample.
+  // centre, so that light next to black is not lost and `radiance` and `pdf` agree with the sample.
   if (is_near_border(row, place) && texel_at(direction) != texel) {
     direction = direction_in(row, column, Vec2f(0.5F));
   }
@@ -190,24 +190,24 @@ std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec2f& xi) const {
   return EnvironmentSample{direction, radiance, static_cast<float>(luminance(radiance) / total_)};
 }
 
-float EnvironmentMap::density(const Vec3f& direction) const {
+float EnvironmentMap::pdf(const Vec3f& direction) const {
   return is_black() ? 0 : static_cast<float>(luminance(radiance(direction)) / total_);
 }
 
 std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec3f& normal, const Vec2f& xi) const {
   if (is_black()) return std::nullopt;
-  const auto [warped, density] = warps_.warp(normal, xi);
+  const auto [warped, pdf] = warps_.warp(normal, xi);
   auto drawn = sample(warped);
-  if (drawn) drawn->density *= density;
+  if (drawn) drawn->pdf *= pdf;
   return drawn;
 }
 
-EnvironmentMap::Seen EnvironmentMap::seen(const Vec3f& normal, const Vec3f& direction) const {
+EnvironmentMap::RadianceAndPdf EnvironmentMap::radiance_and_pdf(const Vec3f& normal,
+                                                                const Vec3f& direction) const {
   const Place place = place_of(direction);
   const Rgb& radiance = image_.pixels[place.row * static_cast<std::size_t>(image_.width) + place.column];
   if (is_black()) return {radiance, 0};
-  return {radiance,
-          static_cast<float>(luminance(radiance) / total_) * warps_.density(normal, pair_of(place))};
+  return {radiance, static_cast<float>(luminance(radiance) / total_) * warps_.pdf(normal, pair_of(place))};
 }
 
 std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,
@@ -216,11 +216,11 @@ std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf:
   auto image = image_reader(path, diagnostics, asked_for_at);
   if (!image) return std::nullopt;
   EnvironmentMap map(std::move(*image));
-  if (map.wrong_texels() > 0) {
+  if (map.invalid_texels() > 0) {
     diagnostics.warning(
         asked_for_at.file ? asked_for_at : grf::whole_file(path),
         fmt::format("{} of {} texels of the environment map are negative or not finite, and count as 0 there",
-                    map.wrong_texels(), map.image().pixels.size()));
+                    map.invalid_texels(), map.image().pixels.size()));
   }
   return map;
 }

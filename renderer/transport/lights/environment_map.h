@@ -16,7 +16,7 @@ namespace transport {
 struct EnvironmentSample {
   grf::Vec3f direction;  ///< towards the light, in world space
   reflectance::Rgb radiance;
-  float density = 0;  ///< solid-angle pdf, 1/sr, over 0
+  float pdf = 0;  ///< solid-angle pdf, 1/sr, over 0
 };
 
 /// An environment map in latitude-longitude format: y is up, the centre looks down -z, and +x is right of it.
@@ -37,20 +37,20 @@ class EnvironmentMap {
   std::optional<EnvironmentSample> sample(const grf::Vec2f& xi) const;
 
   /// The solid-angle pdf of `sample`.
-  float density(const grf::Vec3f& direction) const;
+  float pdf(const grf::Vec3f& direction) const;
 
   /// The same for a surface with this unit normal: nearly proportional to the cosine as well.
   std::optional<EnvironmentSample> sample(const grf::Vec3f& normal, const grf::Vec2f& xi) const;
-  float density(const grf::Vec3f& normal, const grf::Vec3f& direction) const {
-    return seen(normal, direction).density;
+  float pdf(const grf::Vec3f& normal, const grf::Vec3f& direction) const {
+    return radiance_and_pdf(normal, direction).pdf;
   }
 
-  struct Seen {
+  struct RadianceAndPdf {
     reflectance::Rgb radiance;
-    float density = 0;
+    float pdf = 0;
   };
-  /// Returns `radiance` and `density` together, which share work.
-  Seen seen(const grf::Vec3f& normal, const grf::Vec3f& direction) const;
+  /// Returns `radiance` and `pdf` together, which share work.
+  RadianceAndPdf radiance_and_pdf(const grf::Vec3f& normal, const grf::Vec3f& direction) const;
 
   /// Luminance integrated over all directions.
   double total() const { return total_; }
@@ -59,7 +59,7 @@ class EnvironmentMap {
   const Image& image() const { return image_; }
 
   /// The number of texels of which a channel was negative or not finite.
-  std::size_t wrong_texels() const { return wrong_texels_; }
+  std::size_t invalid_texels() const { return invalid_texels_; }
 
  private:
   /// A cache line of a CDF. A search first goes through the last values of the lines, which are more likely
@@ -85,7 +85,7 @@ class EnvironmentMap {
   void prefetch(std::size_t row, std::size_t line) const;
 
   Image image_;
-  std::size_t wrong_texels_ = 0;
+  std::size_t invalid_texels_ = 0;
   double total_ = 0;         ///< luminance integrated over the sphere
   std::vector<float> rows_;  ///< marginal CDF of the rows, up to and including each
   /// Conditional CDFs of the columns, row after row; all 1 in a black row, and past the end of a row.

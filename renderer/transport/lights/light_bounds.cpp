@@ -83,7 +83,7 @@ float importance(const LightBounds& bounds, const Vec3f& from, const Vec3f& norm
   return bounds.power * received.cosine * emitted.cosine / distance2;
 }
 
-bool may_light(const Emitter& emitter, const Vec3f& from, const Vec3f& normal) {
+bool can_illuminate(const Emitter& emitter, const Vec3f& from, const Vec3f& normal) {
   const Vec3f to_corner = emitter.corner - from;
   if (emitter.doubled_area_normal().dot(to_corner) >= 0) return false;
   const float corner = to_corner.dot(normal);
@@ -95,7 +95,7 @@ bool may_light(const Emitter& emitter, const Vec3f& from, const Vec3f& normal) {
 }
 
 float importance(const Emitter& emitter, const Vec3f& from, const Vec3f& normal) {
-  return may_light(emitter, from, normal) ? importance(bounds_of(emitter), from, normal) : 0;
+  return can_illuminate(emitter, from, normal) ? importance(bounds_of(emitter), from, normal) : 0;
 }
 
 }  // namespace transport

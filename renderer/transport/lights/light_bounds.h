@@ -36,6 +36,6 @@ float importance(const LightBounds& bounds, const Vec3f& from, const Vec3f& norm
 float importance(const Emitter& emitter, const Vec3f& from, const Vec3f& normal);
 
 /// Whether the emitter faces the point and some of it is above the horizon.
-bool may_light(const Emitter& emitter, const Vec3f& from, const Vec3f& normal);
+bool can_illuminate(const Emitter& emitter, const Vec3f& from, const Vec3f& normal);
 
 }  // namespace transport

@@ -12,12 +12,12 @@ namespace transport {
 namespace {
 
 /// An emitter's geometry relative to a point.
-struct SeenEmitter {
+struct RelativeEmitter {
   Vec3d corner;
   Vec3d edge1;
   Vec3d edge2;
 
-  SeenEmitter(const Emitter& emitter, const Vec3f& from)
+  RelativeEmitter(const Emitter& emitter, const Vec3f& from)
       : corner(Vec3d(emitter.corner) - Vec3d(from)), edge1(emitter.edge1), edge2(emitter.edge2) {}
 
   /// Up to float rounding.
@@ -29,7 +29,7 @@ struct SeenEmitter {
 
 /// Calls `use` with the emitter's spherical shape.
 template <class Use>
-auto with_shape(const Emitter& emitter, const SeenEmitter& view, const Use& use) {
+auto with_shape(const Emitter& emitter, const RelativeEmitter& view, const Use& use) {
   if (emitter.is_triangle) return use(SphericalTriangle(view.corner, view.edge1, view.edge2));
   if (view.is_rectangle()) return use(SphericalRectangle(view.corner, view.edge1, view.edge2));
   return use(SphericalParallelogram(view.corner, view.edge1, view.edge2));
@@ -49,7 +49,7 @@ bool is_far(const Emitter& emitter, const Vec3f& from) {
 }
 
 /// The solid-angle pdf of uniform area sampling, towards a point on the emitter.
-float density_by_area(const Emitter& emitter, const Vec3f& to_light) {
+float pdf_by_area(const Emitter& emitter, const Vec3f& to_light) {
   const float distance2 = to_light.length2();
   const float projected =
       std::abs(emitter.doubled_area_normal().dot(to_light)) * (emitter.is_triangle ? 0.5F : 1.0F);
@@ -57,14 +57,14 @@ float density_by_area(const Emitter& emitter, const Vec3f& to_light) {
 }
 
 /// Samples uniformly by area: multiples of the two edges.
-Vec2f place_by_area(const Emitter& emitter, const Vec2f& xi) {
+Vec2f sample_area(const Emitter& emitter, const Vec2f& xi) {
   if (!emitter.is_triangle) return xi;
   const float root = std::sqrt(xi.x);
   return {1 - root, root * xi.y};
 }
 
 /// Adds random low bits, hashed from xi, to choose among more emitters than a float can distinguish.
-double lengthened(float choice, const Vec2f& xi) {
+double add_random_bits(float choice, const Vec2f& xi) {
   std::uint32_t bits = std::bit_cast<std::uint32_t>(xi.x) * 0x9E3779B1U ^ std::bit_cast<std::uint32_t>(xi.y);
   bits = (bits ^ (bits >> 16)) * 0x7FEB352DU;
   bits = (bits ^ (bits >> 15)) * 0x846CA68BU;
@@ -72,7 +72,7 @@ double lengthened(float choice, const Vec2f& xi) {
   return double(choice) + double(bits) * 0x1p-56;
 }
 
-LightSample sample_at(const Emitter& emitter, const Vec2f& place, const Vec3f& direction, float density,
+LightSample sample_at(const Emitter& emitter, const Vec2f& place, const Vec3f& direction, float pdf,
                       std::uint32_t index) {
   const Vec3f extent = absolute(emitter.corner) + absolute(emitter.edge1) + absolute(emitter.edge2);
   return {direction,
@@ -80,7 +80,7 @@ LightSample sample_at(const Emitter& emitter, const Vec2f& place, const Vec3f& d
           extent * InterpolationError,
           emitter.doubled_area_normal().normalized(),
           emitter.radiance,
-          density,
+          pdf,
           index};
 }
 
@@ -95,35 +95,34 @@ std::optional<LightSample> Lights::sample(const Vec3f& from, const Vec3f& normal
                                           const Vec2f& xi) const {
   LightTree::Choice chosen;
   if (size() > 1) {
-    const auto found = tree_.choose(emitters_, from, normal, lengthened(choice, xi));
+    const auto found = tree_.choose(emitters_, from, normal, add_random_bits(choice, xi));
     if (!found) return std::nullopt;
     chosen = *found;
   }
   const Emitter& emitter = emitters_[chosen.emitter];
-  if (!may_light(emitter, from, normal)) return std::nullopt;
+  if (!can_illuminate(emitter, from, normal)) return std::nullopt;
   if (is_far(emitter, from)) {
-    const Vec2f place = place_by_area(emitter, xi);
+    const Vec2f place = sample_area(emitter, xi);
     const Vec3f to_light = emitter.corner - from + emitter.edge1 * place.x + emitter.edge2 * place.y;
-    const float density = chosen.probability * density_by_area(emitter, to_light);
-    if (!std::isfinite(density)) return std::nullopt;
-    return sample_at(emitter, place, to_light.normalized(), density, chosen.emitter);
+    const float pdf = chosen.probability * pdf_by_area(emitter, to_light);
+    if (!std::isfinite(pdf)) return std::nullopt;
+    return sample_at(emitter, place, to_light.normalized(), pdf, chosen.emitter);
   }
-  const SeenEmitter view(emitter, from);
+  const RelativeEmitter view(emitter, from);
   Vec2d place(0);
   const float solid_angle = with_shape(emitter, view, [&](const auto& shape) {
     if (shape.solid_angle() > 0) place = shape.sample(xi);
     return shape.solid_angle();
   });
-  const float density = chosen.probability / solid_angle;
-  if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
+  const float pdf = chosen.probability / solid_angle;
+  if (!(pdf > 0) || !std::isfinite(pdf)) return std::nullopt;
   const Vec3d to_light = view.corner + view.edge1 * place.x + view.edge2 * place.y;
-  return sample_at(emitter, Vec2f(place), Vec3f(to_light.normalized()), density, chosen.emitter);
+  return sample_at(emitter, Vec2f(place), Vec3f(to_light.normalized()), pdf, chosen.emitter);
 }
 
-float Lights::density(const Vec3f& from, const Vec3f& normal, std::size_t emitter,
-                      const Vec3f& direction) const {
+float Lights::pdf(const Vec3f& from, const Vec3f& normal, std::size_t emitter, const Vec3f& direction) const {
   const Emitter& seen = emitters_[emitter];
-  if (!may_light(seen, from, normal)) return 0;
+  if (!can_illuminate(seen, from, normal)) return 0;
   float probability = 1;
   if (size() > 1) {
     probability = tree_.probability(emitters_, from, normal, static_cast<std::uint32_t>(emitter));
@@ -132,13 +131,13 @@ float Lights::density(const Vec3f& from, const Vec3f& normal, std::size_t emitte
     // The distance along the direction to the emitter's plane.
     const Vec3f area = seen.doubled_area_normal();
     const float along = area.dot(seen.corner - from) / area.dot(direction);
-    const float density = probability * density_by_area(seen, direction * along);
-    return std::isfinite(density) ? density : 0;
+    const float pdf = probability * pdf_by_area(seen, direction * along);
+    return std::isfinite(pdf) ? pdf : 0;
   }
   const float solid_angle =
-      with_shape(seen, SeenEmitter(seen, from), [](const auto& shape) { return shape.solid_angle(); });
-  const float density = probability / solid_angle;
-  return std::isfinite(density) ? density : 0;
+      with_shape(seen, RelativeEmitter(seen, from), [](const auto& shape) { return shape.solid_angle(); });
+  const float pdf = probability / solid_angle;
+  return std::isfinite(pdf) ? pdf : 0;
 }
 
 }  // namespace transport

@@ -16,7 +16,7 @@ struct LightSample {
   Vec3f error;   ///< bounds of the position's rounding error
   Vec3f normal;  ///< of the emitter's front, unit
   Rgb radiance;
-  float density = 0;  ///< solid-angle pdf, 1/sr, over 0, which includes the choice of the emitter
+  float pdf = 0;  ///< solid-angle pdf, 1/sr, over 0, which includes the choice of the emitter
   std::uint32_t emitter = 0;
 };
 
@@ -40,7 +40,7 @@ class Lights {
 
   /// The solid-angle pdf of `sample` for a direction in which the emitter is visible; 0 where `sample` would
   /// not select it.
-  float density(const Vec3f& from, const Vec3f& normal, std::size_t emitter, const Vec3f& direction) const;
+  float pdf(const Vec3f& from, const Vec3f& normal, std::size_t emitter, const Vec3f& direction) const;
 
   /// The total power of the emitters, W.
   double power() const { return power_; }

@@ -11,14 +11,14 @@ struct RectangleAngle {
 };
 
 /// 1 - cosine, without cancellation.
-double below_one(const RectangleAngle& a) {
+double one_minus_cos(const RectangleAngle& a) {
   return a.cosine > 0 ? a.sine * a.sine / (1 + a.cosine) : 1 - a.cosine;
 }
 
 /// cos a - cos b, without cancellation even if both are near 1 or -1.
 double difference(const RectangleAngle& a, const RectangleAngle& b) {
-  if (a.cosine > 0) return below_one(b) - below_one(a);
-  return below_one({-a.cosine, a.sine}) - below_one({-b.cosine, b.sine});
+  if (a.cosine > 0) return one_minus_cos(b) - one_minus_cos(a);
+  return one_minus_cos({-a.cosine, a.sine}) - one_minus_cos({-b.cosine, b.sine});
 }
 
 }  // namespace

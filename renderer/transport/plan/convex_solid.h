@@ -6,7 +6,7 @@
 
 namespace transport {
 
-/// A triangle of the outline, with its plane.
+/// A triangle of the coarse scene, with its plane.
 struct PlaneTriangle {
   std::span<const grf::Vec3d> corners;  ///< three, counter-clockwise seen from the front
   grf::Vec3d normal;                    ///< unit

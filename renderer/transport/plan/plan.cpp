@@ -27,7 +27,7 @@ struct FaceCounts {
   std::size_t all = 0;
   std::size_t reflecting = 0;
 
-  void add(const OutlineSurface& surface) {
+  void add(const CoarseSurface& surface) {
     all += surface.faces;
     reflecting += surface.reflects() ? surface.faces : 0;
   }
@@ -35,8 +35,8 @@ struct FaceCounts {
 
 class Planner {
  public:
-  Planner(const Outline& outline, const PlanSettings& settings)
-      : outline_(outline), settings_(settings), reach_(outline, limits_of(settings)) {
+  Planner(const CoarseScene& coarse_scene, const PlanSettings& settings)
+      : coarse_scene_(coarse_scene), settings_(settings), reachability_(coarse_scene, limits_of(settings)) {
     if (settings.keeps_all) keep_all();
     if (settings.shows_surfaces) keep_what_is_seen();
   }
@@ -44,7 +44,7 @@ class Planner {
   Plan plan() const;
 
  private:
-  using Test = std::function<bool(const OutlineSurface&)>;
+  using Test = std::function<bool(const CoarseSurface&)>;
 
   static PathLimits limits_of(const PlanSettings& settings) {
     PathLimits limits = settings.limits;
@@ -59,51 +59,52 @@ class Planner {
   Answer area_lights() const;
   Answer environment() const;
   Answer background() const;
-  Answer interreflection(bool matte) const;
+  Answer interreflection(bool diffuse) const;
   Answer of_faces(const Test& test, std::string_view what) const;
   Answer interpolated_normals() const;
   Answer irradiance() const;
   std::string why_not(std::size_t all, std::size_t reflects) const;
   std::string why_depth() const;
-  const std::string& scheme_of(const OutlineSurface& surface) const {
+  const std::string& scheme_of(const CoarseSurface& surface) const {
     return settings_.scheme.empty() ? surface.scheme : settings_.scheme;
   }
   void add_tables(Plan& plan) const;
   void add_textures(Plan& plan) const;
   void add_reflecting(Plan& plan) const;
 
-  const Outline& outline_;
+  const CoarseScene& coarse_scene_;
   const PlanSettings& settings_;
-  Reach reach_;
+  Reachability reachability_;
 };
 
 void Planner::keep_all() {
-  const std::size_t all = outline_.surfaces.size();
-  reach_.depth = settings_.limits.depth;
-  for (std::vector<bool>* list : {&reach_.is_seen, &reach_.is_met, &reach_.is_lit_from, &reach_.is_smooth}) {
+  const std::size_t all = coarse_scene_.surfaces.size();
+  reachability_.depth = settings_.limits.depth;
+  for (std::vector<bool>* list : {&reachability_.is_seen, &reachability_.is_met, &reachability_.is_front_met,
+                                  &reachability_.is_smooth}) {
     list->assign(all, true);
   }
-  for (std::size_t i = 0; i < all; ++i) reach_.reflects[i] = outline_.surfaces[i].reflects();
+  for (std::size_t i = 0; i < all; ++i) reachability_.reflects[i] = coarse_scene_.surfaces[i].reflects();
 }
 
 void Planner::keep_what_is_seen() {
-  for (std::size_t i = 0; i < reach_.reflects.size(); ++i) {
-    if (reach_.is_seen[i] && outline_.surfaces[i].reflects()) reach_.reflects[i] = true;
+  for (std::size_t i = 0; i < reachability_.reflects.size(); ++i) {
+    if (reachability_.is_seen[i] && coarse_scene_.surfaces[i].reflects()) reachability_.reflects[i] = true;
   }
 }
 
 std::size_t Planner::count(const Test& test) const {
   std::size_t sum = 0;
-  for (const OutlineSurface& surface : outline_.surfaces) sum += test(surface) ? surface.faces : 0;
+  for (const CoarseSurface& surface : coarse_scene_.surfaces) sum += test(surface) ? surface.faces : 0;
   return sum;
 }
 
 /// The number of those faces at which a path can be scattered.
 std::size_t Planner::reflecting(const Test& test) const {
   std::size_t sum = 0;
-  for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
-    const OutlineSurface& surface = outline_.surfaces[i];
-    if (reach_.reflects[i] && test(surface)) sum += surface.faces;
+  for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
+    const CoarseSurface& surface = coarse_scene_.surfaces[i];
+    if (reachability_.reflects[i] && test(surface)) sum += surface.faces;
   }
   return sum;
 }
@@ -114,7 +115,7 @@ std::string Planner::why_not(std::size_t all, std::size_t reflects) const {
     return fmt::format("only on {} that {} nothing", faces(all), all == 1 ? "reflects" : "reflect");
   if (settings_.draws_normals) return "only normals are rendered";
   if (settings_.limits.depth == 0) return "a depth of 0 shows only emission";
-  const std::string far = reach_.depth == 1
+  const std::string far = reachability_.depth == 1
                               ? fmt::format("and {} allows no second bounce",
                                             settings_.limits.depth == 1 ? "the depth of 1" : "the geometry")
                               : "and below the horizon of the faces that paths leave";
@@ -127,16 +128,17 @@ Answer Planner::of_faces(const Test& test, std::string_view what) const {
     return {true, fmt::format("{} that a path can hit {} {}", faces(met), met == 1 ? "has" : "have", what)};
   const std::size_t all = count(test);
   if (all == 0) return {false, fmt::format("no face has {}", what)};
-  return {false, why_not(all, count([&](const OutlineSurface& s) { return test(s) && s.reflects(); }))};
+  return {false, why_not(all, count([&](const CoarseSurface& s) { return test(s) && s.reflects(); }))};
 }
 
 Answer Planner::area_lights() const {
-  const std::size_t all = count([](const OutlineSurface& surface) { return surface.emits; });
+  const std::size_t all = count([](const CoarseSurface& surface) { return surface.emits; });
   if (all == 0) return {false, "nothing in the scene emits"};
   if (settings_.draws_normals) return {false, "only normals are rendered"};
   std::size_t met = 0;
-  for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
-    if (outline_.surfaces[i].emits && reach_.is_lit_from[i]) met += outline_.surfaces[i].faces;
+  for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
+    if (coarse_scene_.surfaces[i].emits && reachability_.is_front_met[i])
+      met += coarse_scene_.surfaces[i].faces;
   }
   if (met == 0) return {false, fmt::format("no path hits the front of the {} that emit", faces(all))};
   return {true, fmt::format("{} {} light that a path can hit", faces(met), met == 1 ? "emits" : "emit")};
@@ -157,31 +159,33 @@ Answer Planner::background() const {
   return {true, "paths can leave the scene"};
 }
 
-Answer Planner::interreflection(bool matte) const {
-  const Test test = [&](const OutlineSurface& surface) {
-    return surface.is_matte() == matte && (surface.is_diffuse || surface.is_glossy);
+Answer Planner::interreflection(bool diffuse) const {
+  const Test test = [&](const CoarseSurface& surface) {
+    return surface.is_only_diffuse() == diffuse && (surface.is_diffuse || surface.is_glossy);
   };
-  if (reach_.depth < 2) return {false, why_depth()};
-  return of_faces(test, matte ? "a diffuse BRDF, and paths continue from there or to there"
-                              : "a glossy BRDF, and paths continue from there or to there");
+  if (reachability_.depth < 2) return {false, why_depth()};
+  return of_faces(test, diffuse ? "a diffuse BRDF, and paths continue from there or to there"
+                                : "a glossy BRDF, and paths continue from there or to there");
 }
 
 Answer Planner::interpolated_normals() const {
   std::size_t met = 0;
-  for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
-    const bool shows = reach_.reflects[i] || settings_.draws_normals || settings_.shows_surfaces;
-    if (shows && reach_.is_smooth[i] && outline_.surfaces[i].is_smooth) met += outline_.surfaces[i].faces;
+  for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
+    const bool shows = reachability_.reflects[i] || settings_.draws_normals || settings_.shows_surfaces;
+    if (shows && reachability_.is_smooth[i] && coarse_scene_.surfaces[i].is_smooth)
+      met += coarse_scene_.surfaces[i].faces;
   }
   if (met > 0) return {true, fmt::format("paths can hit {} with smooth shading", faces(met))};
-  const std::size_t all = count([](const OutlineSurface& surface) { return surface.is_smooth; });
+  const std::size_t all = count([](const CoarseSurface& surface) { return surface.is_smooth; });
   if (all == 0) return {false, "no vertex normal differs from its faces'"};
-  return {false, why_not(all, count([](const OutlineSurface& s) { return s.is_smooth && s.reflects(); }))};
+  return {false, why_not(all, count([](const CoarseSurface& s) { return s.is_smooth && s.reflects(); }))};
 }
 
 Answer Planner::irradiance() const {
   if (!settings_.uses_irradiance) return {false, "BPT_Irradiance is off"};
-  return of_faces([](const OutlineSurface& surface) { return surface.has_irradiance && surface.is_matte(); },
-                  "baked irradiance and a diffuse BRDF");
+  return of_faces(
+      [](const CoarseSurface& surface) { return surface.has_irradiance && surface.is_only_diffuse(); },
+      "baked irradiance and a diffuse BRDF");
 }
 
 Answer Planner::of(Effect effect) const {
@@ -198,49 +202,50 @@ Answer Planner::of(Effect effect) const {
     case Effect::GlossyInterreflection:
       return interreflection(false);
     case Effect::MirrorReflection:
-      return of_faces([](const OutlineSurface& surface) { return surface.is_mirror; }, "a specular part");
+      return of_faces([](const CoarseSurface& surface) { return surface.is_specular; }, "a specular part");
     case Effect::Anisotropy:
-      return of_faces([](const OutlineSurface& surface) { return surface.is_anisotropic; },
+      return of_faces([](const CoarseSurface& surface) { return surface.is_anisotropic; },
                       "an anisotropic BRDF");
     case Effect::Textures:
-      return of_faces([](const OutlineSurface& surface) { return !surface.texture.empty(); }, "a texture");
+      return of_faces([](const CoarseSurface& surface) { return !surface.texture.empty(); }, "a texture");
     case Effect::VertexColours:
-      return of_faces([](const OutlineSurface& surface) { return surface.has_colours; },
+      return of_faces([](const CoarseSurface& surface) { return surface.has_colours; },
                       "vertex colours other than white");
     case Effect::InterpolatedNormals:
       return interpolated_normals();
     case Effect::MeasuredData:
-      return of_faces([](const OutlineSurface& surface) { return surface.is_measured; }, "a measured BRDF");
+      return of_faces([](const CoarseSurface& surface) { return surface.is_measured; }, "a measured BRDF");
     case Effect::Irradiance:
       return irradiance();
     case Effect::Instances:
       break;
   }
-  if (outline_.instances == 0) return {false, "no mesh of many triangles is placed more than once"};
-  return {true, fmt::format("{} share their triangles", counted(outline_.instances, "mesh", "meshes"))};
+  if (coarse_scene_.instances == 0) return {false, "no mesh of many triangles is placed more than once"};
+  return {true, fmt::format("{} share their triangles", counted(coarse_scene_.instances, "mesh", "meshes"))};
 }
 
 std::string Planner::why_depth() const {
   const int asked = settings_.limits.depth;
   if (settings_.draws_normals) return "only normals are rendered";
-  if (reach_.depth == asked) return fmt::format("the options ask for a depth of {}", asked);
-  if (reach_.depth == 0) return "no visible face reflects";
-  return fmt::format("after {} no path can hit a face that reflects",
-                     reach_.depth == 1 ? "its first bounce" : fmt::format("{} bounces", reach_.depth));
+  if (reachability_.depth == asked) return fmt::format("the options ask for a depth of {}", asked);
+  if (reachability_.depth == 0) return "no visible face reflects";
+  return fmt::format(
+      "after {} no path can hit a face that reflects",
+      reachability_.depth == 1 ? "its first bounce" : fmt::format("{} bounces", reachability_.depth));
 }
 
 void Planner::add_tables(Plan& plan) const {
   std::map<std::pair<std::string, std::string>, std::size_t> places;
   std::vector<FaceCounts> faces_of_table;
-  for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
-    const OutlineSurface& surface = outline_.surfaces[i];
+  for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
+    const CoarseSurface& surface = coarse_scene_.surfaces[i];
     if (surface.brdf.empty()) continue;
     const std::string& scheme = scheme_of(surface);
     const auto [place, is_new] = places.try_emplace({surface.identity, scheme}, plan.tables.size());
     if (is_new) plan.tables.push_back({surface.brdf, scheme, surface.identity, false, {}});
     faces_of_table.resize(plan.tables.size());
     faces_of_table[place->second].add(surface);
-    plan.tables[place->second].is_needed = plan.tables[place->second].is_needed || reach_.reflects[i];
+    plan.tables[place->second].is_needed = plan.tables[place->second].is_needed || reachability_.reflects[i];
   }
   for (std::size_t i = 0; i < plan.tables.size(); ++i) {
     if (!plan.tables[i].is_needed) {
@@ -253,15 +258,15 @@ void Planner::add_textures(Plan& plan) const {
   std::map<std::string, std::size_t> places;
   std::vector<FaceCounts> faces_of_texture;
   const bool are_on = settings_.limits.effects.has(Effect::Textures);
-  for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
-    const OutlineSurface& surface = outline_.surfaces[i];
+  for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
+    const CoarseSurface& surface = coarse_scene_.surfaces[i];
     if (surface.texture.empty()) continue;
     const auto [place, is_new] = places.try_emplace(surface.texture, plan.textures.size());
     if (is_new) plan.textures.push_back({surface.texture, false, {}});
     faces_of_texture.resize(plan.textures.size());
     faces_of_texture[place->second].add(surface);
     PlannedTexture& texture = plan.textures[place->second];
-    texture.is_needed = texture.is_needed || (are_on && reach_.reflects[i]);
+    texture.is_needed = texture.is_needed || (are_on && reachability_.reflects[i]);
   }
   for (std::size_t i = 0; i < plan.textures.size(); ++i) {
     if (plan.textures[i].is_needed) continue;
@@ -273,12 +278,12 @@ void Planner::add_textures(Plan& plan) const {
 void Planner::add_reflecting(Plan& plan) const {
   if (settings_.keeps_all) return;
   auto reflecting = std::make_shared<ReflectingSurfaces>();
-  for (std::size_t i = 0; i < outline_.surfaces.size(); ++i) {
-    const OutlineSurface& surface = outline_.surfaces[i];
+  for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
+    const CoarseSurface& surface = coarse_scene_.surfaces[i];
     if (surface.mesh == nullptr) continue;
     std::vector<bool>& of_mesh = (*reflecting)[surface.mesh];
     of_mesh.resize(surface.mesh->surfaces.size());
-    if (reach_.reflects[i]) of_mesh[surface.index] = true;
+    if (reachability_.reflects[i]) of_mesh[surface.index] = true;
   }
   plan.reflecting = std::move(reflecting);
 }
@@ -286,7 +291,7 @@ void Planner::add_reflecting(Plan& plan) const {
 Plan Planner::plan() const {
   Plan plan;
   plan.asked_depth = settings_.limits.depth;
-  plan.depth = reach_.depth;
+  plan.depth = reachability_.depth;
   plan.why_depth = why_depth();
   for (const EffectInfo& info : EffectInfos) {
     Answer answer = of(info.effect);
@@ -308,8 +313,8 @@ EffectSet Plan::needed() const {
   return set;
 }
 
-Plan plan_of(const Outline& outline, const PlanSettings& settings) {
-  return Planner(outline, settings).plan();
+Plan plan_of(const CoarseScene& coarse_scene, const PlanSettings& settings) {
+  return Planner(coarse_scene, settings).plan();
 }
 
 void follow(const Plan& plan, RenderSettings& settings) {
@@ -319,7 +324,7 @@ void follow(const Plan& plan, RenderSettings& settings) {
 
 void keep_only(const EffectSet& effects, RenderSettings& settings) {
   IntegratorSettings& integrator = settings.integrator;
-  integrator.reflects_mirrors &= effects.has(Effect::MirrorReflection);
+  integrator.reflects_specular &= effects.has(Effect::MirrorReflection);
   integrator.uses_irradiance &= effects.has(Effect::Irradiance);
   if (!effects.has(Effect::Environment)) {
     integrator.environment = nullptr;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/transport/plan/reach.h"
+#include "renderer/transport/plan/reachability.h"
 #include "renderer/transport/render.h"
 
 namespace transport {
@@ -32,7 +32,7 @@ struct PlannedEffect {
 /// A pair of BRDF and sampling scheme that may need a table.
 struct PlannedTable {
   std::string brdf, scheme;  ///< as written in the scene
-  std::string identity;      ///< identifies the BRDF as resolved in its scope, see OutlineSurface
+  std::string identity;      ///< identifies the BRDF as resolved in its scope, see CoarseSurface
   bool is_needed = false;
   std::string why;  ///< if it is not needed
 };
@@ -56,7 +56,7 @@ struct Plan {
   const PlannedEffect& operator[](Effect effect) const { return effects[static_cast<std::size_t>(effect)]; }
 };
 
-Plan plan_of(const Outline& outline, const PlanSettings& settings);
+Plan plan_of(const CoarseScene& coarse_scene, const PlanSettings& settings);
 
 /// Removes from the settings what the plan does not need.
 void follow(const Plan& plan, RenderSettings& settings);

@@ -36,8 +36,8 @@ void add_bytes(const grf::ResolvedSurface& surface, const IdentityAndScheme& key
 Bytes table_bytes(const grf::Scene& scene, const CompileSettings& settings, grf::Diagnostics& diagnostics) {
   Bytes bytes;
   std::set<IdentityAndScheme> known;
-  grf::Diagnostics unheard;
-  reflectance::BrdfMaker brdfs(unheard);
+  grf::Diagnostics ignored_diagnostics;
+  reflectance::BrdfMaker brdfs(ignored_diagnostics);
   const auto reflects = [&](const grf::Mesh& mesh, std::size_t surface) {
     if (!settings.reflecting) return true;
     const auto found = settings.reflecting->find(&mesh);

@@ -10,8 +10,8 @@
 #include "renderer/parallel/loops.h"
 #include "renderer/transport/scene/compiled_scene.h"
 #include "renderer/transport/scene/mesh_builder.h"
+#include "renderer/transport/scene/scene_stats.h"
 #include "renderer/transport/scene/surface_set.h"
-#include "renderer/transport/scene/survey.h"
 
 namespace transport {
 namespace {
@@ -59,12 +59,12 @@ class Compiler {
         before_(before),
         diagnostics_(diagnostics),
         effects_(effects_of(settings)),
-        survey_(scene, most_copied_triangles(settings)),
+        stats_(scene, most_copied_triangles(settings)),
         reflectors_(settings.scheme, settings.missed_part, settings.precision, diagnostics,
                     before != nullptr ? &before->reflectors() : nullptr),
         textures_(settings.image_reader, diagnostics),
         surfaces_(reflectors_, textures_, effects_, settings.reflecting.get()) {
-    geometry_.origin = survey_.origin;
+    geometry_.origin = stats_.origin;
   }
 
   bool has_room();
@@ -91,7 +91,7 @@ class Compiler {
   const CompiledScene* before_;
   grf::Diagnostics& diagnostics_;
   EffectSet effects_;
-  Survey survey_;
+  SceneStats stats_;
   ReflectorSetBuilder reflectors_;
   TextureSetBuilder textures_;
   SurfaceSetBuilder surfaces_;
@@ -105,13 +105,13 @@ class Compiler {
 };
 
 bool Compiler::has_room() {
-  if (!survey_.is_too_large()) return true;
+  if (!stats_.is_too_large()) return true;
   diagnostics_.error(
       {}, fmt::format(
               "the scene is too large: the limits are {} million triangles, {} million vertices, {} million "
               "surfaces and {} million instances",
-              Survey::MostTriangles / 1'000'000, Survey::MostVertices / 1'000'000,
-              Survey::MostSurfaces / 1'000'000, Survey::MostInstances / 1'000'000));
+              SceneStats::MostTriangles / 1'000'000, SceneStats::MostVertices / 1'000'000,
+              SceneStats::MostSurfaces / 1'000'000, SceneStats::MostInstances / 1'000'000));
   return false;
 }
 
@@ -120,7 +120,7 @@ Matrix44d Compiler::to_scene(const Placement& placement) const {
 }
 
 void Compiler::list(const Mesh& mesh, const Placement& placement) {
-  const Vec3f axis = survey_.is_instanced(mesh) ? Vec3f(0, 1, 0) : axis_of(placement.to_world);
+  const Vec3f axis = stats_.is_instanced(mesh) ? Vec3f(0, 1, 0) : axis_of(placement.to_world);
   placed_.push_back({&mesh, nullptr, surfaces_.add(mesh, placement.scope, axis), to_scene(placement)});
 }
 
@@ -146,8 +146,8 @@ MeshSize Compiler::size_of_first_mesh() const {
     if (placed.mesh == nullptr) {
       size.vertices += 4;
       size.triangles += 2;
-    } else if (!survey_.is_instanced(*placed.mesh)) {
-      size.add(*placed.mesh, survey_.vertices_of(*placed.mesh),
+    } else if (!stats_.is_instanced(*placed.mesh)) {
+      size.add(*placed.mesh, stats_.vertices_of(*placed.mesh),
                surfaces_.needs_uvs(*placed.mesh, placed.first_surface), effects_);
     }
   }
@@ -169,9 +169,9 @@ void Compiler::build() {
 
 void Compiler::place(const Placed& placed, MeshBuilder& builder) {
   if (placed.mesh == nullptr) return place_light(placed, builder);
-  if (survey_.is_instanced(*placed.mesh)) return place_instance(placed);
+  if (stats_.is_instanced(*placed.mesh)) return place_instance(placed);
   const std::size_t first_triangle = builder.mesh().triangles.size();
-  builder.add(*placed.mesh, survey_.vertices_of(*placed.mesh), placed.to_scene,
+  builder.add(*placed.mesh, stats_.vertices_of(*placed.mesh), placed.to_scene,
               surfaces_.of(*placed.mesh, placed.first_surface), placed.first_surface);
   add_emitters(builder.mesh(), first_triangle, 0, 0, Matrix44d());
 }
@@ -200,7 +200,7 @@ std::uint32_t Compiler::mesh_index(const Placed& placed) {
   if (!is_new) return known->second;
   MeshSize size;
   // Another instance may have a texture where this one has none.
-  const UsedVertices& used = survey_.vertices_of(mesh);
+  const UsedVertices& used = stats_.vertices_of(mesh);
   size.add(mesh, used, true, effects_);
   MeshBuilder builder(size);
   builder.add(mesh, used, Matrix44d(), surfaces_.of(mesh, placed.first_surface), 0);
@@ -219,7 +219,7 @@ void Compiler::place_instance(const Placed& placed) {
   if (!mesh.emitting_runs.empty()) {
     add_emitters(mesh, 0, placed.first_surface, index, placed.to_scene);
   }
-  local_bounds_.extendBy(transformed(survey_.box_of(*placed.mesh), placed.to_scene));
+  local_bounds_.extendBy(transformed(stats_.box_of(*placed.mesh), placed.to_scene));
 }
 
 void Compiler::add_emitters(const TriangleMesh& mesh, std::size_t first_triangle, std::uint32_t first_surface,
@@ -241,7 +241,7 @@ void Compiler::add_emitters(const TriangleMesh& mesh, std::size_t first_triangle
 // A degenerate emitter emits nothing, and cannot be hit.
 void Compiler::add_emitter(const Emitter& emitter, const TriangleId& id) {
   if (!(emitter.area() > 0)) {
-    geometry_.emitter_table.push_back(None);
+    geometry_.emitter_table.push_back(InvalidIndex);
     return;
   }
   geometry_.emitter_table.push_back(static_cast<std::uint32_t>(emitters_.size()));

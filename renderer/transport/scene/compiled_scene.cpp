@@ -26,7 +26,7 @@ std::optional<SurfacePoint> CompiledScene::intersect(const Ray& ray) const {
   point->surface = &surface;
   point->colour = surface.colour * hit.vertex_colour();
   point->irradiance = hit.irradiance();
-  if (surface.texture != None) {
+  if (surface.texture != InvalidIndex) {
     const Texture& texture = *textures_[surface.texture].texture;
     point->colour *= texture.lookup(hit.uv(), hit.uv_scale() * point->cone.width);
   }
@@ -36,7 +36,8 @@ std::optional<SurfacePoint> CompiledScene::intersect(const Ray& ray) const {
     point->emitter =
         geometry_->emitter_table[hit.instance().first_emitter + mesh.emitting_number(met->id.triangle)];
   }
-  if (!hit.triangle().is_flat && surface.reflector != None) point->rise = hit.rise();
+  if (!hit.triangle().is_flat && surface.reflector != InvalidIndex)
+    point->terminator_offset = hit.terminator_offset();
   return point;
 }
 
@@ -48,24 +49,25 @@ SurfacePoint CompiledScene::front_point(const TriangleId& id, const Vec2f& weigh
   SurfacePoint point = hit.point();
   point.surface = &surfaces_[hit.instance().first_surface + hit.triangle().surface];
   point.colour = Rgb(1);
-  if (!hit.triangle().is_flat) point.rise = hit.rise();
+  if (!hit.triangle().is_flat) point.terminator_offset = hit.terminator_offset();
   return point;
 }
 
-std::optional<RayStart> CompiledScene::raised_start(const SurfacePoint& point, const Vec3f& geometric_side,
+std::optional<RayStart> CompiledScene::offset_start(const SurfacePoint& point, const Vec3f& geometric_side,
                                                     std::uint64_t& rays) const {
   // A smaller offset does not leave the triangle; normals that point away from it may even lead below it.
   const float least = 4 * absolute(point.geometric_normal).dot(point.error);
-  if (!(point.rise.dot(geometric_side) > least)) return std::nullopt;
-  const Vec3f foot = offset_towards(point.position, point.error, point.geometric_normal, point.rise);
-  const Vec3f raised = point.position + point.rise;
+  if (!(point.terminator_offset.dot(geometric_side) > least)) return std::nullopt;
+  const Vec3f foot =
+      offset_towards(point.position, point.error, point.geometric_normal, point.terminator_offset);
+  const Vec3f raised = point.position + point.terminator_offset;
   ++rays;
   if (caster_.is_occluded({foot, raised - foot, point.id})) return std::nullopt;
   return RayStart{raised, TriangleId()};
 }
 
 bool CompiledScene::is_occluded(const Ray& ray, std::uint32_t emitter) const {
-  if (emitter == None) return caster_.is_occluded(ray);
+  if (emitter == InvalidIndex) return caster_.is_occluded(ray);
   return caster_.is_occluded(ray, geometry_->emitter_triangles[emitter],
                              lights_[emitter].is_triangle ? 1 : 2);
 }
@@ -84,9 +86,9 @@ std::size_t CompiledScene::bytes() const {
   return bytes;
 }
 
-bool CompiledScene::is_matte() const {
+bool CompiledScene::is_diffuse() const {
   return std::all_of(reflectors_.reflectors.begin(), reflectors_.reflectors.end(),
-                     [](const reflectance::Reflector& reflector) { return reflector.is_matte(); });
+                     [](const reflectance::Reflector& reflector) { return reflector.is_diffuse(); });
 }
 
 }  // namespace transport

@@ -34,12 +34,12 @@ class CompiledScene {
   std::optional<SurfacePoint> intersect(const Ray& ray) const;
 
   /// Returns where a ray starts that leaves a surface in a direction on the side of this normal. For a
-  /// direction below that side, only if `rise` leads above the triangle there and the offset is unoccluded:
-  /// light does not leak through walls. Adds the rays that this takes to `rays`.
+  /// direction below that side, only if `terminator_offset` leads above the triangle there and the offset is
+  /// unoccluded: light does not leak through walls. Adds the rays that this takes to `rays`.
   std::optional<RayStart> start_of(const SurfacePoint& point, const Vec3f& direction,
                                    const Vec3f& geometric_side, std::uint64_t& rays) const {
     if (direction.dot(geometric_side) > 0) return RayStart{point.origin_towards(direction), point.id};
-    return raised_start(point, geometric_side, rays);
+    return offset_start(point, geometric_side, rays);
   }
   /// Returns a point of a triangle as if a ray had hit it from the front, given the barycentric weights of
   /// the second and third corner; without colour, texture and tangent.
@@ -47,12 +47,12 @@ class CompiledScene {
 
   /// Whether anything lies between the origin and origin + direction; if the end is a point of an emitter,
   /// the emitter itself does not count.
-  bool is_occluded(const Ray& ray, std::uint32_t emitter = None) const;
-  bool escapes(const Ray& ray) const { return caster_.escapes(ray); }
+  bool is_occluded(const Ray& ray, std::uint32_t emitter = InvalidIndex) const;
+  bool is_unoccluded(const Ray& ray) const { return caster_.is_unoccluded(ray); }
 
   const Lights& lights() const { return lights_; }
   const reflectance::Reflector* reflector(const CompiledSurface& surface) const {
-    return surface.reflector == None ? nullptr : &reflectors_.reflectors[surface.reflector];
+    return surface.reflector == InvalidIndex ? nullptr : &reflectors_.reflectors[surface.reflector];
   }
 
   const Geometry& geometry() const { return *geometry_; }
@@ -66,7 +66,7 @@ class CompiledScene {
   std::size_t bytes() const;  ///< of triangles, their attributes and textures, without Embree's data
   std::size_t texture_count() const { return textures_.size(); }
   /// Whether all that reflects is `diffuse`, with cosine-weighted sampling.
-  bool is_matte() const;
+  bool is_diffuse() const;
 
   /// The tables of the sampling schemes, for each pair of BRDF and scheme.
   const std::vector<TableInfo>& tables() const { return reflectors_.tables; }
@@ -79,7 +79,7 @@ class CompiledScene {
   const std::vector<TextureFile>& textures() const { return textures_; }
 
  private:
-  std::optional<RayStart> raised_start(const SurfacePoint& point, const Vec3f& geometric_side,
+  std::optional<RayStart> offset_start(const SurfacePoint& point, const Vec3f& geometric_side,
                                        std::uint64_t& rays) const;
 
   std::shared_ptr<const Geometry> geometry_;
@@ -113,7 +113,7 @@ std::size_t most_copied_triangles(const CompileSettings& settings);
 /// its faces, and an image that cannot be read, are errors; the result is then empty, as it is after a
 /// request to stop.
 ///
-/// What has not changed since the scene `before`, if there is one, is shared with it: the acceleration
+/// Shares with the scene `before`, if there is one, what has not changed since: the acceleration
 /// structure if no triangle has moved, tables of sampling schemes, and textures whose files have not changed.
 std::optional<CompiledScene> compile(const grf::Scene& scene, grf::Diagnostics& diagnostics,
                                      const CompileSettings& settings = {},

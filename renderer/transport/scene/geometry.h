@@ -15,12 +15,12 @@ using grf::Colour;
 using grf::Vec2f;
 using grf::Vec3f;
 
-constexpr std::uint32_t None = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t InvalidIndex = std::numeric_limits<std::uint32_t>::max();
 
 /// A triangle of the scene: an instance, and a triangle of its mesh.
 struct TriangleId {
-  std::uint32_t instance = None;
-  std::uint32_t triangle = None;
+  std::uint32_t instance = InvalidIndex;
+  std::uint32_t triangle = InvalidIndex;
 
   bool operator==(const TriangleId&) const = default;
 };
@@ -85,7 +85,7 @@ struct Instance {
 struct Geometry {
   std::vector<TriangleMesh> meshes;
   std::vector<Instance> instances;
-  /// The emitter of each emitting triangle of each instance; None for a degenerate one.
+  /// The emitter of each emitting triangle of each instance; InvalidIndex for a degenerate one.
   std::vector<std::uint32_t> emitter_table;
   /// The first triangle of each emitter; a parallelogram has two in a row.
   std::vector<TriangleId> emitter_triangles;

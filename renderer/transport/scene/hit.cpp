@@ -131,7 +131,7 @@ Vec3f HitTriangle::tangent(const Vec3f& axis, const Vec3f& normal) const {
   return vector_in_scene(Vec3f(0, 1, 0).cross(object_normal));
 }
 
-Vec3f HitTriangle::rise() const {
+Vec3f HitTriangle::terminator_offset() const {
   const Vec3f place = interpolate(a_, b_, c_);
   const float side = ray_.direction.dot(normal_in_scene(doubled_area_)) <= 0 ? 1.0F : -1.0F;
   const auto above = [&](const Vec3f& corner, std::uint32_t index) {

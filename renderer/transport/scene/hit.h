@@ -25,7 +25,7 @@ class HitTriangle {
   Vec3f tangent(const Vec3f& axis, const Vec3f& normal) const;
   /// The offset from the triangle to the curved surface that the vertex normals suggest, on the side that the
   /// ray came from; 0 where that surface is not above the triangle.
-  Vec3f rise() const;
+  Vec3f terminator_offset() const;
 
  private:
   void keep_off_edges();

@@ -55,7 +55,7 @@ void MeshBuilder::add(const grf::Mesh& mesh, const UsedVertices& used, const Mat
     for (std::size_t i = triangles.first_of(face); i < triangles.first_of(face + 1); ++i) {
       std::array<std::uint32_t, 3> corners = triangles[i];
       if (turns) std::swap(corners[1], corners[2]);
-      for (std::uint32_t& corner : corners) corner = first_vertex + used.number_of(corner);
+      for (std::uint32_t& corner : corners) corner = first_vertex + used.index_of(corner);
       Triangle triangle;
       triangle.corners = corners;
       triangle.surface = (first_surface + surface) & 0x7fffffffU;

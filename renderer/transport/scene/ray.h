@@ -17,7 +17,7 @@ struct RayCone {
   RayCone at(float distance) const { return {width + spread * distance, spread}; }
   /// Widens the cone after a direction was sampled with this solid-angle pdf: the lower it is, the more
   /// directions the ray stands for. The solid angle is 1/16 of 1/pdf, since other samples share it.
-  RayCone widened(float density) const { return {width, std::max(spread, 0.25F / std::sqrt(density))}; }
+  RayCone widened(float pdf) const { return {width, std::max(spread, 0.25F / std::sqrt(pdf))}; }
 };
 
 struct Ray {

@@ -149,7 +149,7 @@ struct RayCaster::Scenes {
   void build_meshes();
   void build_top();
 
-  bool meets_anything(const Ray& ray, float farthest, const TriangleId& target, std::uint32_t count) const {
+  bool intersects_any(const Ray& ray, float farthest, const TriangleId& target, std::uint32_t count) const {
     ShadowContext context{{}, ray.from, target, count};
     rtcInitIntersectContext(&context.embree);
     RTCRay query = to_embree(ray, Nearest, farthest);
@@ -215,9 +215,9 @@ std::optional<TriangleHit> RayCaster::intersect(const Ray& ray) const {
 }
 
 bool RayCaster::is_occluded(const Ray& ray, const TriangleId& target, std::uint32_t count) const {
-  return scenes_->meets_anything(ray, 1, target, count);
+  return scenes_->intersects_any(ray, 1, target, count);
 }
 
-bool RayCaster::escapes(const Ray& ray) const { return !scenes_->meets_anything(ray, Infinity, {}, 0); }
+bool RayCaster::is_unoccluded(const Ray& ray) const { return !scenes_->intersects_any(ray, Infinity, {}, 0); }
 
 }  // namespace transport

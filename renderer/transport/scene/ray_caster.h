@@ -42,7 +42,7 @@ class RayCaster {
   bool is_occluded(const Ray& ray, const TriangleId& target = {}, std::uint32_t count = 0) const;
 
   /// Whether nothing is in front of the origin, at any distance.
-  bool escapes(const Ray& ray) const;
+  bool is_unoccluded(const Ray& ray) const;
 
  private:
   struct Scenes;

@@ -76,10 +76,11 @@ std::uint32_t ReflectorSetBuilder::add(const grf::ResolvedSurface& surface, cons
   pair.scheme_keyword = pdf != nullptr ? pdf->keyword : "auto";
   pair.info.scheme = pdf != nullptr ? to_text(*pdf) : "auto";
   if (pdf != nullptr) pair.scheme_location = pdf->location;
-  const std::string refusal = reflectance::refusal(*scheme, *brdf);
-  if (!refusal.empty()) {
-    diagnostics_.error(pair.scheme_location, fmt::format("the scheme '{}' cannot sample the BRDF '{}': {}",
-                                                         pair.scheme_keyword, pair.brdf_keyword, refusal));
+  const std::string unsupported_reason = reflectance::unsupported_reason(*scheme, *brdf);
+  if (!unsupported_reason.empty()) {
+    diagnostics_.error(pair.scheme_location,
+                       fmt::format("the scheme '{}' cannot sample the BRDF '{}': {}", pair.scheme_keyword,
+                                   pair.brdf_keyword, unsupported_reason));
     return 0;
   }
   if (override_ && !override_->factors_file.empty() && !use_factors_file(surface, pair)) return 0;
@@ -122,8 +123,8 @@ ReflectorSet ReflectorSetBuilder::build(const std::stop_token& stop) {
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     Pair& pair = pairs_[i];
     pair.info.bytes = made[i]->bytes();
-    pair.info.cosine_share = made[i]->cosine_share();
-    if (made[i]->missed_share() > 0) warn_of_what_is_missed(pair, *made[i]);
+    pair.info.cosine_fraction = made[i]->cosine_fraction();
+    if (made[i]->missed_fraction() > 0) warn_of_what_is_missed(pair, *made[i]);
     set.identities.push_back(std::move(pair.identity));
     set.tables.push_back(std::move(pair.info));
     set.reflectors.push_back(std::move(*made[i]));
@@ -136,9 +137,9 @@ void ReflectorSetBuilder::warn_of_what_is_missed(const Pair& pair, const Reflect
   const std::string missed = fmt::format("the scheme '{}' hardly samples part of the BRDF '{}'",
                                          pair.scheme_keyword, pair.brdf_keyword);
   const std::string consequence =
-      reflector.cosine_share() > 0
-          ? fmt::format("{:.0f} % of its samples are cosine-weighted", 100 * reflector.cosine_share())
-          : fmt::format("the image misses {:.2g} % of it", 100 * reflector.missed_share());
+      reflector.cosine_fraction() > 0
+          ? fmt::format("{:.0f} % of its samples are cosine-weighted", 100 * reflector.cosine_fraction())
+          : fmt::format("the image misses {:.2g} % of it", 100 * reflector.missed_fraction());
   diagnostics_.warning(pair.scheme_location, missed + ": " + consequence);
 }
 

@@ -29,7 +29,7 @@ struct TableInfo {
   std::string brdf;    ///< as written in the scene
   std::string scheme;  ///< likewise
   std::size_t bytes = 0;
-  float cosine_share = 0;  ///< see Reflector
+  float cosine_fraction = 0;  ///< see Reflector
 };
 
 /// The reflectors of a scene, one per pair of BRDF and sampling scheme in use.
@@ -62,9 +62,9 @@ class ReflectorSetBuilder {
   }
 
   /// Whether it has neither a glossy nor a specular part.
-  bool is_matte(std::uint32_t index) const {
+  bool is_diffuse(std::uint32_t index) const {
     return index < pairs_.size() && !reflectance::has_glossy_part(pairs_[index].brdf) &&
-           !reflectance::has_mirror(pairs_[index].brdf);
+           !reflectance::has_specular_part(pairs_[index].brdf);
   }
   /// Whether the BRDF depends on a file.
   bool reads_data(const grf::ResolvedSurface& surface);

@@ -14,8 +14,8 @@ using reflectance::Rgb;
 struct CompiledSurface {
   Rgb colour = Rgb(1);
   Rgb emission = Rgb(0);
-  std::uint32_t reflector = None;  ///< None: black
-  std::uint32_t texture = None;
+  std::uint32_t reflector = InvalidIndex;  ///< InvalidIndex: black
+  std::uint32_t texture = InvalidIndex;
   bool is_anisotropic = false;
   /// False if it reflects nothing to paths that were scattered before, except by specular reflection.
   bool interreflects = true;
@@ -28,10 +28,10 @@ struct CompiledSurface {
 
 /// A point of a surface that a ray has hit, in the coordinates of the compiled scene.
 ///
-/// Where vertex normals make a surface appear curved, `rise` is the offset to that curved surface (Hanika
-/// 2021, "Hacking the shadow terminator", Ray tracing gems II, chapter 4). Directions above the curved
-/// surface's horizon but below the triangle's start from there, so that the shadow terminator is as soft as
-/// on the surface that the triangles approximate. See CompiledScene::start_of.
+/// Where vertex normals make a surface appear curved, `terminator_offset` is the offset to that curved
+/// surface (Hanika 2021, "Hacking the shadow terminator", Ray tracing gems II, chapter 4). Directions above
+/// the curved surface's horizon but below the triangle's start from there, so that the shadow terminator is
+/// as soft as on the surface that the triangles approximate. See CompiledScene::start_of.
 struct SurfacePoint {
   Vec3f position;
   Vec3f error;             ///< bounds of the position's rounding error, per axis
@@ -42,11 +42,11 @@ struct SurfacePoint {
   Vec3f tangent = Vec3f(0);
   Rgb colour;
   const CompiledSurface* surface = nullptr;
-  std::uint32_t emitter = None;
+  std::uint32_t emitter = InvalidIndex;
   TriangleId id;
-  RayCone cone;                   ///< of the ray that hit it
-  Vec3f rise = Vec3f(0);          ///< 0 where the curved surface is not above the triangle
-  std::optional<Rgb> irradiance;  ///< W/m2, if the scene was compiled with it and all corners have it
+  RayCone cone;                        ///< of the ray that hit it
+  Vec3f terminator_offset = Vec3f(0);  ///< 0 where the curved surface is not above the triangle
+  std::optional<Rgb> irradiance;       ///< W/m2, if the scene was compiled with it and all corners have it
 
   /// Where rays start that leave the triangle in this direction.
   Vec3f origin_towards(const Vec3f& direction) const {

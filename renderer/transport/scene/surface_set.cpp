@@ -20,8 +20,9 @@ CompiledSurface SurfaceSetBuilder::compiled(const grf::Surface& surface, const g
   const bool has_texture = resolved.texture != nullptr && effects_.has(Effect::Textures);
   if (has_texture) result.texture = textures_.index_of(*resolved.texture);
   result.is_anisotropic = effects_.has(Effect::Anisotropy) && reflectors_.is_anisotropic(result.reflector);
-  result.interreflects = effects_.has(reflectors_.is_matte(result.reflector) ? Effect::DiffuseInterreflection
-                                                                             : Effect::GlossyInterreflection);
+  result.interreflects =
+      effects_.has(reflectors_.is_diffuse(result.reflector) ? Effect::DiffuseInterreflection
+                                                            : Effect::GlossyInterreflection);
   if (result.is_anisotropic) result.axis = axis;
   return result;
 }
@@ -72,7 +73,7 @@ std::uint32_t SurfaceSetBuilder::index_of(const grf::Mesh& mesh,
 bool SurfaceSetBuilder::needs_uvs(const grf::Mesh& mesh, std::uint32_t first) const {
   const auto surfaces = of(mesh, first);
   return std::any_of(surfaces.begin(), surfaces.end(), [](const CompiledSurface& surface) {
-    return surface.texture != None || surface.is_anisotropic;
+    return surface.texture != InvalidIndex || surface.is_anisotropic;
   });
 }
 

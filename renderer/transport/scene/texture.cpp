@@ -106,7 +106,7 @@ void Texture::repair(Image& image) {
       pixel[k] = 0;
       is_right = false;
     }
-    if (!is_right) ++wrong_texels_;
+    if (!is_right) ++invalid_texels_;
   }
 }
 

@@ -34,7 +34,7 @@ class Texture {
   bool has_bytes() const { return std::holds_alternative<std::vector<std::uint8_t>>(channels_); }
   std::size_t bytes() const;
   /// The number of texels with a channel that was negative or not finite.
-  std::size_t wrong_texels() const { return wrong_texels_; }
+  std::size_t invalid_texels() const { return invalid_texels_; }
 
  private:
   struct Level {
@@ -50,7 +50,7 @@ class Texture {
 
   std::vector<Level> levels_;
   std::variant<std::vector<std::uint8_t>, std::vector<half>> channels_;  ///< three per texel
-  std::size_t wrong_texels_ = 0;
+  std::size_t invalid_texels_ = 0;
 };
 
 /// Halves the image's size, rounded up; each texel is the mean of those it covers. The mean is preserved.

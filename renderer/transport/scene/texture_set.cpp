@@ -32,7 +32,7 @@ void read(const std::string& path, const grf::SourceLocation& asked_for_at, cons
     if (!image) image = Image{1, 1, {reflectance::Rgb(1)}};
     file.texture = std::make_shared<const Texture>(std::move(*image));
   }
-  const std::size_t wrong = file.texture->wrong_texels();
+  const std::size_t wrong = file.texture->invalid_texels();
   if (wrong == 0) return;
   result.diagnostics.warning(
       asked_for_at, fmt::format("'{}': {} texels are negative or not finite, and count as 0", path, wrong));

@@ -21,7 +21,7 @@ class UsedVertices {
     return are_all() ? static_cast<std::uint32_t>(number) : vertices_[number];
   }
   /// Returns the index of a used vertex among the used ones.
-  std::uint32_t number_of(std::uint32_t vertex) const {
+  std::uint32_t index_of(std::uint32_t vertex) const {
     if (are_all()) return vertex;
     const auto place = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);
     return static_cast<std::uint32_t>(place - vertices_.begin());

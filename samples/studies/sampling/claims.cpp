@@ -200,7 +200,7 @@ std::vector<Verdict> targets(const Results& results) {
   };
   const Extreme fullest = largest(results, excess);
   const std::size_t small = count(results, [&](const CaseResult& one) { return excess(one) <= 1; });
-  const Extreme longest = largest(results, [](const auto& one) { return one[Warp].cost.with_density; });
+  const Extreme longest = largest(results, [](const auto& one) { return one[Warp].cost.with_pdf; });
   const std::size_t glossy = glossy_count(results);
   std::vector<Verdict> all = {
       {"90 trees of `warp` build in under 1 s", slowest.value < 1,
@@ -238,7 +238,7 @@ bool is_better_than_perfect(const CaseResult& one, TechniqueId id, Light light) 
 std::string slow_ones(const Results& results) {
   std::string names;
   for (const CaseResult& one : results.cases) {
-    const double time = one[Warp].cost.with_density;
+    const double time = one[Warp].cost.with_pdf;
     if (time < 150) continue;
     names += fmt::format("{}{} ({} ns)", names.empty() ? "" : ", ", one.subject->name, figure(time));
   }
@@ -266,7 +266,7 @@ std::string limits(const Results& results) {
   const auto better = [&](TechniqueId id, Light light) {
     return count(results, [&](const CaseResult& one) { return is_better_than_perfect(one, id, light); });
   };
-  const std::size_t matte = count(results, [](const CaseResult& one) {
+  const std::size_t diffuse = count(results, [](const CaseResult& one) {
     return !one.is_glossy && is_better_than_perfect(one, Sphere50, Highlight);
   });
   text += fmt::format(
@@ -274,7 +274,7 @@ std::string limits(const Results& results) {
       "happens to sample towards it wins: at the highlight, `sphere-50` has less error than the perfect pdf "
       "on {} of {} BRDFs, {} of them diffuse, and `diffuse` beside it on {}. Over all positions of a small "
       "light, the perfect pdf has the least error: `sphere-50` beats it on {} there, and `diffuse` on {}.\n",
-      better(Sphere50, Highlight), results.cases.size(), matte, better(Diffuse, Beside),
+      better(Sphere50, Highlight), results.cases.size(), diffuse, better(Diffuse, Beside),
       better(Sphere50, Anywhere), better(Diffuse, Anywhere));
   return text + slow_ones(results);
 }

@@ -56,7 +56,7 @@ double nanoseconds(const Technique& technique, const Brdf& valued, int rounds) {
       float sum = 0;
       for (const Request& one : all) {
         const auto drawn = technique.sample_alone(valued, one.u, one.xi);
-        if (drawn) sum += drawn->density + drawn->weight.x + drawn->direction.z;
+        if (drawn) sum += drawn->pdf + drawn->weight.x + drawn->direction.z;
       }
       sink = sum;
     });
@@ -97,10 +97,10 @@ std::array<std::size_t, TriesOfTable.size()> tree_bytes(const Brdf& brdf, int re
 SampleCost sample_cost(const Technique& technique, int rounds) {
   // A diffuse BRDF replaces its own: its value costs nothing, and the tables are the same. For the model's
   // own sampler, the weight is part of the formula.
-  const Brdf matte = reflectance::default_brdf();
-  const double with_density = nanoseconds(technique, matte, rounds);
-  if (technique.is_own()) return {with_density, with_density};
-  return {with_density, nanoseconds(technique, technique.brdf(), rounds)};
+  const Brdf diffuse = reflectance::default_brdf();
+  const double with_pdf = nanoseconds(technique, diffuse, rounds);
+  if (technique.is_own()) return {with_pdf, with_pdf};
+  return {with_pdf, nanoseconds(technique, technique.brdf(), rounds)};
 }
 
 }  // namespace study

@@ -23,7 +23,7 @@ std::array<std::size_t, TriesOfTable.size()> tree_bytes(const reflectance::Brdf&
 
 /// The time per sample in nanoseconds on one thread, the minimum of some rounds.
 struct SampleCost {
-  double with_density = 0;
+  double with_pdf = 0;
   double with_value = 0;  ///< with evaluation of the BRDF
 };
 

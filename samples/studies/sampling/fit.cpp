@@ -49,9 +49,9 @@ Fit FitMeter::fit_of(const Technique& technique) const {
     double square = 0;
     for (std::size_t i = 0; i < view.shares.size(); ++i) {
       const double share = view.shares[i];
-      const double density = technique.density(view.u, point_at(i));
-      difference += std::abs(density - share) * SolidAngleOfCell;
-      if (share > 0) square += share * share / density * SolidAngleOfCell;
+      const double pdf = technique.pdf(view.u, point_at(i));
+      difference += std::abs(pdf - share) * SolidAngleOfCell;
+      if (share > 0) square += share * share / pdf * SolidAngleOfCell;
     }
     fit.distance += difference / 2 / static_cast<double>(views_.size());
     fit.deviation += std::sqrt(std::max(0.0, square - 1)) / static_cast<double>(views_.size());

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/reflectance/even_points.h"
+#include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/schemes/view_square.h"
 
 namespace study {
@@ -92,14 +92,14 @@ Setting::Sums Setting::over_disc(const Brdf& brdf, const Vec3f& axis) const {
   const double solid_angle = 2 * std::numbers::pi * cap / Points;
   Sums sums;
   for (std::uint32_t i = 0; i < Points; ++i) {
-    const reflectance::Vec2f xi = reflectance::even_point(i).direction;
+    const reflectance::Vec2f xi = reflectance::halton_point(i).direction;
     const float versine = cap * xi.x;
     const Vec3f v = frame.to_world(
         reflectance::from_angles(1 - versine, std::sqrt(versine * (2 - versine)), 2 * Pi * xi.y));
     if (v.z <= 0) continue;
     const double cosine = solid_angle * v.z;
     sums.once += cosine * mean(evaluate(brdf, view_, v));
-    sums.matte += cosine / std::numbers::pi;
+    sums.diffuse += cosine / std::numbers::pi;
   }
   sums.squared = sums.once;  // the radiance is 1
   return sums;
@@ -123,7 +123,7 @@ Setting::Sums Setting::over_map(const Brdf& brdf) const {
       sums.albedo += cosine * mean(f);
       sums.once += cosine * once;
       if (mean(f) > 0) sums.squared += cosine * once * once / mean(f);
-      sums.matte += cosine * mean(light) / std::numbers::pi;
+      sums.diffuse += cosine * mean(light) / std::numbers::pi;
     }
   }
   return sums;
@@ -131,7 +131,7 @@ Setting::Sums Setting::over_map(const Brdf& brdf) const {
 
 void Setting::keep(Light light, const Sums& sums, double albedo) {
   reflected_[light] = sums.once;
-  scale_[light] = std::max(sums.once, 1e-3 * sums.matte);
+  scale_[light] = std::max(sums.once, 1e-3 * sums.diffuse);
   const double variance = albedo * sums.squared - sums.once * sums.once;
   perfect_[light] = std::sqrt(std::max(0.0, variance)) / scale_[light];
 }

@@ -80,7 +80,7 @@ class Setting {
  private:
   /// Sums of f cos: without light, with it, and with its square; and of the cosine with it.
   struct Sums {
-    double albedo = 0, once = 0, squared = 0, matte = 0;
+    double albedo = 0, once = 0, squared = 0, diffuse = 0;
   };
   Sums over_disc(const reflectance::Brdf& brdf, const Vec3f& axis) const;
   Sums over_map(const reflectance::Brdf& brdf) const;

@@ -63,7 +63,7 @@ TechniqueResult measure_technique(const std::string& scheme, const Brdf& brdf, c
   const Technique technique = scheme == "own" ? Technique(brdf) : Technique(brdf, scheme_of(scheme));
   TechniqueResult result;
   result.scheme = scheme;
-  result.cosine_share = technique.cosine_share();
+  result.cosine_fraction = technique.cosine_fraction();
   result.build_seconds = technique.build_seconds();
   result.bytes = technique.bytes();
   result.cost = sample_cost(technique, effort.rounds);

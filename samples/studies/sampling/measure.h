@@ -45,7 +45,7 @@ constexpr std::array<std::string_view, 10> TechniqueNames = {
 
 struct TechniqueResult {
   std::string scheme;  ///< GRF text; `own` for the model's own sampler
-  double cosine_share = 0;
+  double cosine_fraction = 0;
   double build_seconds = 0;
   std::size_t bytes = 0;
   SampleCost cost;

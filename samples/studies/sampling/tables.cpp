@@ -126,11 +126,11 @@ std::string scheme_table(const Results& results) {
       return sum / static_cast<double>(results.cases.size());
     };
     double share = 0;
-    for (const CaseResult& one : results.cases) share = std::max(share, one.techniques[id].cosine_share);
+    for (const CaseResult& one : results.cases) share = std::max(share, one.techniques[id].cosine_fraction);
     table.add({std::string(TechniqueNames[id]),
                figure(mean_over([](const TechniqueResult& one) { return one.build_seconds; })),
                figure(mean_over([](const TechniqueResult& one) { return kilobytes(one.bytes); })),
-               figure(mean_over([](const TechniqueResult& one) { return one.cost.with_density; })),
+               figure(mean_over([](const TechniqueResult& one) { return one.cost.with_pdf; })),
                figure(mean_over([](const TechniqueResult& one) { return one.cost.with_value; })),
                figure(mean_over([](const TechniqueResult& one) { return one.fit.deviation; })),
                figure(share)});
@@ -143,7 +143,7 @@ std::string sample_table(const Results& results) {
   for (const std::string_view name : TechniqueNames) header.emplace_back(name);
   return table_with_means(results, header, [](const CaseResult& one) {
     std::vector<double> values;
-    for (const TechniqueResult& technique : one.techniques) values.push_back(technique.cost.with_density);
+    for (const TechniqueResult& technique : one.techniques) values.push_back(technique.cost.with_pdf);
     return values;
   });
 }
@@ -248,10 +248,10 @@ std::string tables_csv(const Results& results) {
       const auto add_own = [&](const char* quantity, double value) {
         add(technique.scheme, quantity, value, "");
       };
-      add_own("cosine_share", technique.cosine_share);
+      add_own("cosine_share", technique.cosine_fraction);
       add_own("build_and_cover_seconds", technique.build_seconds);
       add_own("kb", kilobytes(technique.bytes));
-      add_own("sample_and_density_ns", technique.cost.with_density);
+      add_own("sample_and_density_ns", technique.cost.with_pdf);
       add_own("sample_and_value_ns", technique.cost.with_value);
       add_own("distance", technique.fit.distance);
       add_own("deviation", technique.fit.deviation);

@@ -38,7 +38,7 @@ Technique::Technique(const Brdf& brdf, const Scheme& scheme) : brdf_(brdf) {
   const reflectance::Reflector reflector(brdf, scheme);
   build_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   scheme_ = reflector.scheme();
-  cosine_share_ = reflector.cosine_share();
+  cosine_fraction_ = reflector.cosine_fraction();
 }
 
 std::optional<DirectionSample> Technique::sample_alone(const Brdf& valued, const Vec3f& u,
@@ -47,24 +47,24 @@ std::optional<DirectionSample> Technique::sample_alone(const Brdf& valued, const
   return std::visit([&](const auto& model) { return model.sample(u, xi); }, brdf_);
 }
 
-float Technique::density_alone(const Vec3f& u, const Vec3f& v) const {
-  if (scheme_) return reflectance::density(*scheme_, brdf_, u, v);
-  return std::visit([&](const auto& model) { return model.density(u, v); }, brdf_);
+float Technique::pdf_alone(const Vec3f& u, const Vec3f& v) const {
+  if (scheme_) return reflectance::pdf(*scheme_, brdf_, u, v);
+  return std::visit([&](const auto& model) { return model.pdf(u, v); }, brdf_);
 }
 
-float Technique::density(const Vec3f& u, const Vec3f& v) const {
-  const float alone = density_alone(u, v);
-  return cosine_share_ > 0 ? alone + cosine_share_ * (reflectance::cosine_density(v) - alone) : alone;
+float Technique::pdf(const Vec3f& u, const Vec3f& v) const {
+  const float alone = pdf_alone(u, v);
+  return cosine_fraction_ > 0 ? alone + cosine_fraction_ * (reflectance::cosine_pdf(v) - alone) : alone;
 }
 
 std::optional<DirectionSample> Technique::sample(const Vec3f& u, const Uniforms& xi) const {
-  if (!(cosine_share_ > 0)) return sample_alone(brdf_, u, xi);
-  const auto drawn = xi.choice < cosine_share_
+  if (!(cosine_fraction_ > 0)) return sample_alone(brdf_, u, xi);
+  const auto drawn = xi.choice < cosine_fraction_
                          ? reflectance::DiffuseScheme().sample(brdf_, u, xi)
-                         : sample_alone(brdf_, u, reflectance::rest_of(xi, cosine_share_));
+                         : sample_alone(brdf_, u, reflectance::rescale(xi, cosine_fraction_));
   if (!drawn) return std::nullopt;
-  const float mixed = density(u, drawn->direction);
-  return DirectionSample{drawn->direction, drawn->weight * (drawn->density / mixed), mixed};
+  const float mixed = pdf(u, drawn->direction);
+  return DirectionSample{drawn->direction, drawn->weight * (drawn->pdf / mixed), mixed};
 }
 
 }  // namespace study

@@ -23,7 +23,7 @@ class Technique {
 
   std::optional<reflectance::DirectionSample> sample(const reflectance::Vec3f& u,
                                                      const reflectance::Uniforms& xi) const;
-  float density(const reflectance::Vec3f& u, const reflectance::Vec3f& v) const;
+  float pdf(const reflectance::Vec3f& u, const reflectance::Vec3f& v) const;
 
   /// Samples the scheme without the mixture, with values of another BRDF in the weight.
   std::optional<reflectance::DirectionSample> sample_alone(const reflectance::Brdf& valued,
@@ -32,17 +32,17 @@ class Technique {
 
   const reflectance::Brdf& brdf() const { return brdf_; }
   bool is_own() const { return !scheme_; }
-  float cosine_share() const { return cosine_share_; }
+  float cosine_fraction() const { return cosine_fraction_; }
   /// Returns the time for the tables and for the estimate of what the pdf misses.
   double build_seconds() const { return build_seconds_; }
   std::size_t bytes() const { return scheme_ ? reflectance::bytes(*scheme_) : 0; }
 
  private:
-  float density_alone(const reflectance::Vec3f& u, const reflectance::Vec3f& v) const;
+  float pdf_alone(const reflectance::Vec3f& u, const reflectance::Vec3f& v) const;
 
   reflectance::Brdf brdf_;
   std::optional<reflectance::Scheme> scheme_;
-  float cosine_share_ = 0;
+  float cosine_fraction_ = 0;
   double build_seconds_ = 0;
 };
 

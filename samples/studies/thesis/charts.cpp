@@ -80,9 +80,9 @@ plot::Chart todays_chart(const Results& results, const std::string& scene, const
     if (is_of_other_kind(technique, errors)) continue;
     std::vector<Point> points;
     for (const int count : results.counts({scene, {}, technique, integrator})) {
-      const Which which = {scene, {}, technique, integrator, count};
-      points.emplace_back(results.mean(which, [](const Row& row) { return row.total(); }).value(),
-                          results.mean(which, [](const Row& row) { return 100 * row.error; }).value());
+      const RowFilter filter = {scene, {}, technique, integrator, count};
+      points.emplace_back(results.mean(filter, [](const Row& row) { return row.total(); }).value(),
+                          results.mean(filter, [](const Row& row) { return 100 * row.error; }).value());
     }
     chart.series.push_back(series_of(technique, std::move(points)));
   }
@@ -139,7 +139,7 @@ plot::Svg lobe_chart() {
     const Vec3f v(static_cast<float>(-std::sin(angle)), 0, static_cast<float>(std::cos(angle)));
     chart.series[0].points.emplace_back(degrees, mean(evaluate(brdf, u, v)) * v.z / albedo);
     for (std::size_t i = 0; i < lobes.size(); ++i) {
-      chart.series[i + 1].points.emplace_back(degrees, lobes[i].density(brdf, u, v));
+      chart.series[i + 1].points.emplace_back(degrees, lobes[i].pdf(brdf, u, v));
     }
   }
   plot::Svg svg(680, 350);

@@ -65,8 +65,8 @@ Verdict least_error(const Means& means, const std::string& claim, const std::str
 
 /// Returns the error of a technique, mean over the BRDFs, in the time that another takes for its most
 /// samples. Nothing if the tables are not built by then for any BRDF.
-std::optional<double> error_in_time_of(const Results& results, const std::string& scene, const Which& line,
-                                       const Which& other) {
+std::optional<double> error_in_time_of(const Results& results, const std::string& scene,
+                                       const RowFilter& line, const RowFilter& other) {
   double sum = 0;
   int count = 0;
   for (const std::string& brdf : results.names({scene}, &Row::brdf)) {
@@ -107,7 +107,7 @@ Verdict slower(const Means& means, const PrintedTable& times, const std::string&
 
 /// Checks convergence: the error of an unbiased estimator keeps falling; that of a biased one, or against a
 /// wrong reference, does not.
-Verdict goes_on_falling(const Means& means, const PrintedTable& errors, const std::string& technique) {
+Verdict converges(const Means& means, const PrintedTable& errors, const std::string& technique) {
   constexpr double Most = 0.7;
   const auto left = [](double exponent) { return std::pow(4, -exponent); };
   const double today = left(means.exponent(technique));
@@ -121,7 +121,7 @@ Verdict goes_on_falling(const Means& means, const PrintedTable& errors, const st
 
 }  // namespace
 
-std::vector<Verdict> cornell_claims(const Results& results, const Printed& printed) {
+std::vector<Verdict> cornell_claims(const Results& results, const PrintedTables& printed) {
   const Means means(results, "cornell_box");
   const PrintedTable& times = printed.table("5.7");
   const PrintedTable& errors = printed.table("5.8");
@@ -135,11 +135,11 @@ std::vector<Verdict> cornell_claims(const Results& results, const Printed& print
            "time",
            !reject || uniform < *reject,
            fmt::format("{} % against {}", figure(uniform), percent_or_none(reject))},
-          goes_on_falling(means, errors, "uniform"),
-          goes_on_falling(means, errors, "reject")};
+          converges(means, errors, "uniform"),
+          converges(means, errors, "reject")};
 }
 
-std::vector<Verdict> constant_claims(const Results& results, const Printed& printed) {
+std::vector<Verdict> constant_claims(const Results& results, const PrintedTables& printed) {
   const Means means(results, "glossy_sphere");
   const PrintedTable& times = printed.table("5.9");
   const PrintedTable& errors = printed.table("5.10");
@@ -162,10 +162,10 @@ std::vector<Verdict> constant_claims(const Results& results, const Printed& prin
        means.last_gain("reject") < 1.1,
        fmt::format("from {} to {} samples it falls to {} %, 1 / {} of what it was", means.before_last(),
                    means.last(), figure(means.error("reject")), figure(means.last_gain("reject")))},
-      goes_on_falling(means, errors, "reject")};
+      converges(means, errors, "reject")};
 }
 
-std::vector<Verdict> adjusted_claims(const Results& results, const Printed& printed) {
+std::vector<Verdict> adjusted_claims(const Results& results, const PrintedTables& printed) {
   const Means means(results, "glossy_sphere");
   const PrintedTable& times = printed.table("5.11");
   const PrintedTable& errors = printed.table("5.12");
@@ -186,7 +186,7 @@ std::vector<Verdict> adjusted_claims(const Results& results, const Printed& prin
       {fmt::format("adjusting the factors reduces their error (thesis: {} times at 50²)",
                    figure(printed_gain)),
        gain > 1.05, fmt::format("{} times", figure(gain))},
-      goes_on_falling(means, errors, "hemisphere-best")};
+      converges(means, errors, "hemisphere-best")};
 }
 
 std::vector<Verdict> dragon_claims(const Results& results) {
@@ -203,7 +203,7 @@ std::vector<Verdict> dragon_claims(const Results& results) {
                       {"uniform", "hemisphere-best", "factored-best"})};
 }
 
-std::vector<Verdict> pottery_claims(const Results& results, const Printed& printed) {
+std::vector<Verdict> pottery_claims(const Results& results, const PrintedTables& printed) {
   const Means means(results, "pottery");
   const PrintedTable& errors = printed.table("5.15");
   const double trees = means("reject", build);
@@ -224,11 +224,11 @@ std::vector<Verdict> pottery_claims(const Results& results, const Printed& print
            fmt::format("{} times", figure(1 / finer))},
           least_error(means, "`warp` has the least error at equal samples of all generic schemes", "warp",
                       {"uniform", "hemisphere-best", "factored-best", "factored-fine", "cascade", "reject"}),
-          goes_on_falling(means, errors, "factored-fine"),
-          goes_on_falling(means, errors, "reject")};
+          converges(means, errors, "factored-fine"),
+          converges(means, errors, "reject")};
 }
 
-std::vector<Verdict> jug_claims(const Results& results, const Printed& printed) {
+std::vector<Verdict> jug_claims(const Results& results, const PrintedTables& printed) {
   const Means naive(results, "jug");
   const Means path(results, "jug", "path");
   const PrintedTable& errors = printed.table("5.18");
@@ -259,7 +259,7 @@ std::vector<Verdict> jug_claims(const Results& results, const Printed& printed) 
        fmt::format("{} against {} %", percent_or_none(resampled), figure(path.error("warp")))}};
 }
 
-std::vector<Verdict> measured_claims(const Results& results, const Printed& printed) {
+std::vector<Verdict> measured_claims(const Results& results, const PrintedTables& printed) {
   const Means means(results, "measured");
   const auto kilobytes = [](const Row& row) { return row.bytes / 1024; };
   const auto seconds = [&](const char* technique) { return figure(means(technique, build)); };
@@ -293,19 +293,20 @@ std::vector<Verdict> lobe_claims() {
   const auto lobe_alone = brdf_of("lewis n=32.5 ks=0.5 kd=0");
   const double best = best_lobe_exponent(brdf);
   const double best_alone = best_lobe_exponent(lobe_alone);
-  return {{"a lobe with exponent 16 fits this BRDF better than one with the BRDF's own exponent, 32.5",
-           lobe_distance(brdf, 16) < lobe_distance(brdf, 32.5),
-           fmt::format("the total variation distance is {} against {}; its minimum, {}, is at {:g}, and with "
-                       "kd = 0 at {:g}",
-                       figure(lobe_distance(brdf, 16)), figure(lobe_distance(brdf, 32.5)),
-                       figure(lobe_distance(brdf, best)), best, best_alone)}};
+  return {
+      {"a lobe with exponent 16 fits this BRDF better than one with the BRDF's own exponent, 32.5",
+       total_variation_distance(brdf, 16) < total_variation_distance(brdf, 32.5),
+       fmt::format("the total variation distance is {} against {}; its minimum, {}, is at {:g}, and with "
+                   "kd = 0 at {:g}",
+                   figure(total_variation_distance(brdf, 16)), figure(total_variation_distance(brdf, 32.5)),
+                   figure(total_variation_distance(brdf, best)), best, best_alone)}};
 }
 
 std::string changes(const Results& results, const std::string& scene, const PrintedTable& errors) {
   const Means naive(results, scene);
   const Means path(results, scene, "path");
-  const Which ours = {{}, {}, "warp", "path"};
-  const Which theirs = {{}, {}, "reject", "naive"};
+  const RowFilter ours = {{}, {}, "warp", "path"};
+  const RowFilter theirs = {{}, {}, "reject", "naive"};
   const auto now = error_in_time_of(results, scene, ours, theirs);
   if (!now) return {};
   const double then = naive.error("reject");

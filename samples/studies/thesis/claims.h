@@ -10,14 +10,14 @@
 
 namespace study {
 
-std::vector<Verdict> cornell_claims(const Results& results, const Printed& printed);
+std::vector<Verdict> cornell_claims(const Results& results, const PrintedTables& printed);
 // The sphere, with the same scheme parameters for all BRDFs, and with adjusted ones.
-std::vector<Verdict> constant_claims(const Results& results, const Printed& printed);
-std::vector<Verdict> adjusted_claims(const Results& results, const Printed& printed);
+std::vector<Verdict> constant_claims(const Results& results, const PrintedTables& printed);
+std::vector<Verdict> adjusted_claims(const Results& results, const PrintedTables& printed);
 std::vector<Verdict> dragon_claims(const Results& results);
-std::vector<Verdict> pottery_claims(const Results& results, const Printed& printed);
-std::vector<Verdict> jug_claims(const Results& results, const Printed& printed);
-std::vector<Verdict> measured_claims(const Results& results, const Printed& printed);
+std::vector<Verdict> pottery_claims(const Results& results, const PrintedTables& printed);
+std::vector<Verdict> jug_claims(const Results& results, const PrintedTables& printed);
+std::vector<Verdict> measured_claims(const Results& results, const PrintedTables& printed);
 /// Checks the claim of figure 5.11.
 std::vector<Verdict> lobe_claims();
 

@@ -87,8 +87,8 @@ std::optional<double> Curve::error_at(double total_seconds) const {
   const auto after =
       std::find_if(points_.begin(), points_.end(), [&](const Point& p) { return p.seconds >= seconds; });
   const Point& a = *(after - 1);
-  const double share = std::log(seconds / a.seconds) / std::log(after->seconds / a.seconds);
-  return a.error * std::pow(after->error / a.error, share);
+  const double fraction = std::log(seconds / a.seconds) / std::log(after->seconds / a.seconds);
+  return a.error * std::pow(after->error / a.error, fraction);
 }
 
 std::vector<EqualTime> equal_times(const Results& results) {

@@ -30,15 +30,15 @@ double distance_of_view(const Brdf& brdf, const reflectance::Scheme& scheme, con
   double distance = 0;
   for (int i = 0; i < Resolution * Resolution; ++i) {
     const Vec3f v = direction(i);
-    const double share = reflectance::mean(evaluate(brdf, u, v)) * v.z / albedo;
-    distance += std::abs(density(scheme, brdf, u, v) - share) * SolidAngle / 2;
+    const double ideal_pdf = reflectance::mean(evaluate(brdf, u, v)) * v.z / albedo;
+    distance += std::abs(pdf(scheme, brdf, u, v) - ideal_pdf) * SolidAngle / 2;
   }
   return distance;
 }
 
 }  // namespace
 
-double lobe_distance(const Brdf& brdf, double exponent) {
+double total_variation_distance(const Brdf& brdf, double exponent) {
   reflectance::HemisphereScheme lobe;
   lobe.exponent = static_cast<float>(exponent);
   lobe.build(brdf);
@@ -57,7 +57,7 @@ double best_lobe_exponent(const Brdf& brdf) {
   double least = std::numeric_limits<double>::infinity();
   for (const double exponent :
        {0.5, 1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 14.0, 20.0, 30.0, 50.0, 70.0, 100.0, 200.0, 500.0, 1000.0}) {
-    const double distance = lobe_distance(brdf, exponent);
+    const double distance = total_variation_distance(brdf, exponent);
     if (distance < least) best = exponent;
     least = std::min(least, distance);
   }

@@ -17,7 +17,7 @@ Group scene_of(const PictureRow& row, const std::string& technique, const std::v
     if (group.scene != row.scene || group.integrator != "naive") continue;
     for (const Line& line : group.lines) {
       if (line.technique != technique) continue;
-      if (!line.pdf.empty()) group.schemes.assign(group.pieces.size(), line.pdf);
+      if (!line.pdf.empty()) group.schemes.assign(group.parts.size(), line.pdf);
       group.options += fmt::format("BPT_RE_NSecRaysRoot {}\nBPT_Integrator naive\n", row.samples_root);
       group.file = fmt::format("{}_{}_picture", row.scene, technique);
       return group;

@@ -43,21 +43,21 @@ std::optional<double> PrintedTable::value(std::string_view technique, int count)
   return row->values[static_cast<std::size_t>(column - samples.begin())];
 }
 
-const PrintedTable& Printed::table(std::string_view number) const {
+const PrintedTable& PrintedTables::table(std::string_view number) const {
   for (const PrintedTable& table : tables_) {
     if (table.number == number) return table;
   }
   throw std::out_of_range(fmt::format("there is no table {}", number));
 }
 
-std::optional<Printed> read_printed(const std::string& path, grf::Diagnostics& diagnostics) {
+std::optional<PrintedTables> read_printed(const std::string& path, grf::Diagnostics& diagnostics) {
   const auto text = grf::read_file(path, diagnostics);
   if (!text) return std::nullopt;
   try {
     std::vector<PrintedTable> tables;
     const json file = json::parse(*text);
     for (const json& data : file.at("tables")) tables.push_back(table_of(data));
-    return Printed(std::move(tables));
+    return PrintedTables(std::move(tables));
   } catch (const std::exception& error) {
     diagnostics.error(grf::whole_file(path), error.what());
     return std::nullopt;

@@ -28,9 +28,9 @@ struct PrintedTable {
   std::optional<double> value(std::string_view technique, int count) const;
 };
 
-class Printed {
+class PrintedTables {
  public:
-  explicit Printed(std::vector<PrintedTable> tables) : tables_(std::move(tables)) {}
+  explicit PrintedTables(std::vector<PrintedTable> tables) : tables_(std::move(tables)) {}
   /// Returns a table, which must exist.
   const PrintedTable& table(std::string_view number) const;
   const std::vector<PrintedTable>& tables() const { return tables_; }
@@ -40,6 +40,6 @@ class Printed {
 };
 
 /// Reads `tables.json`; nothing after an error.
-std::optional<Printed> read_printed(const std::string& path, grf::Diagnostics& diagnostics);
+std::optional<PrintedTables> read_printed(const std::string& path, grf::Diagnostics& diagnostics);
 
 }  // namespace study

@@ -70,7 +70,7 @@ std::string figure_line(const std::string& number, const std::string& words, con
 
 constexpr const char* TimeError = "Error over time: the thesis' figures, and today's by `naive` and `path`.";
 
-std::string cornell(const Results& results, const Printed& printed) {
+std::string cornell(const Results& results, const PrintedTables& printed) {
   const std::string name = "cornell_box";
   if (!results.has(name)) return {};
   return "\n## Test scene 1: the Cornell box\n" +
@@ -80,7 +80,7 @@ std::string cornell(const Results& results, const Printed& printed) {
          changes(results, name, printed.table("5.8"));
 }
 
-std::string sphere(const Results& results, const Printed& printed) {
+std::string sphere(const Results& results, const PrintedTables& printed) {
   const std::string name = "glossy_sphere";
   if (!results.has(name)) return {};
   const std::vector<std::string_view> more = {"cascade", "warp", "own"};
@@ -134,7 +134,7 @@ std::string dragon(const Results& results) {
          changes(results, name, errors);
 }
 
-std::string pottery(const Results& results, const Printed& printed) {
+std::string pottery(const Results& results, const PrintedTables& printed) {
   const std::string name = "pottery";
   if (!results.has(name)) return {};
   const std::vector<std::string_view> more = {
@@ -152,7 +152,7 @@ std::string pottery(const Results& results, const Printed& printed) {
          changes(results, name, printed.table("5.15"));
 }
 
-std::string jug(const Results& results, const Printed& printed) {
+std::string jug(const Results& results, const PrintedTables& printed) {
   const std::string name = "jug";
   if (!results.has(name)) return {};
   const std::vector<std::string_view> more = {"uniform",  "cascade", "cascade-ris", "warp",
@@ -167,7 +167,7 @@ std::string jug(const Results& results, const Printed& printed) {
          changes(results, name, printed.table("5.18"));
 }
 
-std::string measured(const Results& results, const Printed& printed) {
+std::string measured(const Results& results, const PrintedTables& printed) {
   if (!results.has("measured")) return {};
   const PrintedTable& before = printed.table("5.19");
   const PrintedTable& times = printed.table("5.20");
@@ -188,7 +188,7 @@ struct Figure {
   std::string scene, file, times, errors;
 };
 
-bool write_charts(const Results& results, const Printed& printed, const std::string& folder,
+bool write_charts(const Results& results, const PrintedTables& printed, const std::string& folder,
                   grf::Diagnostics& diagnostics) {
   const Figure figures[] = {{"cornell_box", "figure_5_9.svg", "5.7", "5.8"},
                             {"glossy_sphere", "figure_5_10.svg", "5.9", "5.10"},
@@ -210,7 +210,7 @@ bool write_charts(const Results& results, const Printed& printed, const std::str
 
 }  // namespace
 
-bool write_report(const Results& results, const Printed& printed, const std::string& folder,
+bool write_report(const Results& results, const PrintedTables& printed, const std::string& folder,
                   grf::Diagnostics& diagnostics) {
   const std::string readme = introduction(results) + cornell(results, printed) + sphere(results, printed) +
                              dragon(results) + pottery(results, printed) + jug(results, printed) +

@@ -9,7 +9,7 @@
 namespace study {
 
 /// Writes README.md, rows.csv and the charts into the folder; false after an error.
-bool write_report(const Results& results, const Printed& printed, const std::string& folder,
+bool write_report(const Results& results, const PrintedTables& printed, const std::string& folder,
                   grf::Diagnostics& diagnostics);
 
 }  // namespace study

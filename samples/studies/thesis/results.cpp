@@ -16,37 +16,38 @@ constexpr std::string_view Heading =
 
 }  // namespace
 
-std::vector<const Row*> Results::select(const Which& which) const {
+std::vector<const Row*> Results::select(const RowFilter& filter) const {
   const auto fits = [](std::string_view wanted, std::string_view name) {
     return wanted.empty() || wanted == name;
   };
   std::vector<const Row*> selected;
   for (const Row& row : rows) {
-    if (fits(which.scene, row.scene) && fits(which.brdf, row.brdf) && fits(which.technique, row.technique) &&
-        fits(which.integrator, row.integrator) && (which.samples == 0 || which.samples == row.samples)) {
+    if (fits(filter.scene, row.scene) && fits(filter.brdf, row.brdf) &&
+        fits(filter.technique, row.technique) && fits(filter.integrator, row.integrator) &&
+        (filter.samples == 0 || filter.samples == row.samples)) {
       selected.push_back(&row);
     }
   }
   return selected;
 }
 
-std::optional<double> Results::mean(const Which& which, const Quantity& quantity) const {
-  const std::vector<const Row*> selected = select(which);
+std::optional<double> Results::mean(const RowFilter& filter, const Quantity& quantity) const {
+  const std::vector<const Row*> selected = select(filter);
   if (selected.empty()) return std::nullopt;
   double sum = 0;
   for (const Row* row : selected) sum += quantity(*row);
   return sum / static_cast<double>(selected.size());
 }
 
-std::vector<int> Results::counts(const Which& which) const {
+std::vector<int> Results::counts(const RowFilter& filter) const {
   std::set<int> counts;
-  for (const Row* row : select(which)) counts.insert(row->samples);
+  for (const Row* row : select(filter)) counts.insert(row->samples);
   return {counts.begin(), counts.end()};
 }
 
-std::vector<std::string> Results::names(const Which& which, std::string Row::*name) const {
+std::vector<std::string> Results::names(const RowFilter& filter, std::string Row::*name) const {
   std::vector<std::string> names;
-  for (const Row* row : select(which)) {
+  for (const Row* row : select(filter)) {
     if (std::find(names.begin(), names.end(), row->*name) == names.end()) names.push_back(row->*name);
   }
   return names;

@@ -30,7 +30,7 @@ struct Row {
 };
 
 /// A filter of rows; an empty string or 0 matches any.
-struct Which {
+struct RowFilter {
   std::string_view scene = {}, brdf = {}, technique = {}, integrator = {};
   int samples = 0;
 };
@@ -52,13 +52,13 @@ class Results {
   bool has_merl = false;
 
   bool has(std::string_view scene) const { return !select({scene}).empty(); }
-  std::vector<const Row*> select(const Which& which) const;
+  std::vector<const Row*> select(const RowFilter& filter) const;
   /// Returns the mean over the BRDFs; nothing if there is no such row.
-  std::optional<double> mean(const Which& which, const Quantity& quantity) const;
+  std::optional<double> mean(const RowFilter& filter, const Quantity& quantity) const;
   /// Returns the sample counts in ascending order.
-  std::vector<int> counts(const Which& which) const;
+  std::vector<int> counts(const RowFilter& filter) const;
   /// Returns the distinct names in the order of the rows.
-  std::vector<std::string> names(const Which& which, std::string Row::*name) const;
+  std::vector<std::string> names(const RowFilter& filter, std::string Row::*name) const;
 };
 
 /// Writes one line per row.

@@ -82,7 +82,7 @@ std::vector<Group> cornell_boxes(const Choice& choice) {
     if (!choice.has_brdf(subject.name)) continue;
     Group group;
     group.brdf = subject.name;
-    group.pieces = {{maker.part("cornell_box"), subject.brdf}};
+    group.parts = {{maker.part("cornell_box"), subject.brdf}};
     group.options = maker.size(48, 48) +
                     "BPT_Viewer 278 273 -800\nBPT_VLook 278 273 0\nBPT_FieldOfView 39.3076\nBPT_Depth "
                     "5\nBPT_Background 0.02 0.02 0.02\n";
@@ -99,7 +99,7 @@ std::vector<Group> glossy_spheres(const Choice& choice) {
     if (!choice.has_brdf(subject.name)) continue;
     Group group;
     group.brdf = subject.name;
-    group.pieces = {{maker.part("glossy_sphere"), subject.brdf}};
+    group.parts = {{maker.part("glossy_sphere"), subject.brdf}};
     group.options = maker.size(64, 64) +
                     "BPT_Viewer -1.5 2.5 4\nBPT_VLook 0.065 1.64 0.767\nBPT_FieldOfView 9\nBPT_Depth "
                     "1\nBPT_Background 0.02 0.02 0.02\n";
@@ -122,10 +122,10 @@ std::vector<Group> dragons(const Choice& choice) {
   const FactorParameters lafortune = {100, 32, 2, 2, true};
   Group group;
   group.brdf = "three";
-  group.pieces = {{maker.part("dragon_light"), ""},
-                  {maker.part("dragon_floor"), "oren s=0.83 r=1"},
-                  {maker.part("dragon_wall"), "strauss s=0.76 m=0.91 ks=0.64 kd=0.5"},
-                  {choice.data + "/dragon.grf", "lafortune Cx=-1 Cy=-1 Cz=1 n=46 kp=0.96"}};
+  group.parts = {{maker.part("dragon_light"), ""},
+                 {maker.part("dragon_floor"), "oren s=0.83 r=1"},
+                 {maker.part("dragon_wall"), "strauss s=0.76 m=0.91 ks=0.64 kd=0.5"},
+                 {choice.data + "/dragon.grf", "lafortune Cx=-1 Cy=-1 Cz=1 n=46 kp=0.96"}};
   group.options = maker.size(200, 200) +
                   "BPT_Viewer 0.9 1.5 4.3\nBPT_VLook 0.05 0.5 0\nBPT_FieldOfView 26\nBPT_Depth 3\n";
   const std::vector<int> naive = {25, 100};
@@ -151,7 +151,7 @@ std::string pottery_view(int width, int height, const Maker& maker) {
 }
 
 /// Returns the jugs with these BRDFs, from left to right.
-std::vector<Piece> jugs(const Maker& maker, const std::array<std::string, 3>& brdfs) {
+std::vector<ScenePart> jugs(const Maker& maker, const std::array<std::string, 3>& brdfs) {
   return {{maker.part("pottery_light"), ""},
           {maker.part("left_jug"), brdfs[0]},
           {maker.part("middle_jug"), brdfs[1]},
@@ -162,8 +162,8 @@ std::vector<Group> potteries(const Choice& choice) {
   Maker maker(choice, "pottery");
   Group group;
   group.brdf = "three";
-  group.pieces = jugs(maker, {"beardmaxwell omega=1 tau=0 nreal=0.37 nimag=2.82 Rs=0.7 Rd=0.5 Rv=0.2",
-                              "he sigma=0.5 tau=3 lambda=800", "blinn n=100 ks=1 kd=0.67"});
+  group.parts = jugs(maker, {"beardmaxwell omega=1 tau=0 nreal=0.37 nimag=2.82 Rs=0.7 Rd=0.5 Rv=0.2",
+                             "he sigma=0.5 tau=3 lambda=800", "blinn n=100 ks=1 kd=0.67"});
   group.options = pottery_view(150, 66, maker);
   const std::vector<int> naive = Maker::counts(25, maker.is_quick() ? 225 : 900);
   const std::vector<int> path = Maker::counts(25, maker.is_quick() ? 100 : 225);
@@ -194,7 +194,7 @@ std::vector<Group> single_jugs(const Choice& choice) {
       std::find_if(cases().begin(), cases().end(), [](const Case& one) { return one.name == "torrance"; });
   Group group;
   group.brdf = found->name;
-  group.pieces = {{maker.part("jug"), found->brdf}};
+  group.parts = {{maker.part("jug"), found->brdf}};
   const std::string view =
       fmt::format("BPT_EM_Background {}/../../environments/studio.exr\n", choice.folder) +
       maker.size(120, 120) +
@@ -219,7 +219,7 @@ std::vector<Group> measured_jugs(const Choice& choice) {
     Group group;
     group.brdf = material.name;
     const std::string brdf = fmt::format("measured \"{}/{}.binary\"", choice.data, material.name);
-    group.pieces = jugs(maker, {brdf, brdf, brdf});
+    group.parts = jugs(maker, {brdf, brdf, brdf});
     group.options = pottery_view(150, 73, maker);
     group.lines = maker.plain_lines();
     // The thesis' memory figures exclude tables of BRDF values.
@@ -275,8 +275,8 @@ std::vector<Group> groups(const Choice& choice) {
 
 std::string scene_text(const Group& group) {
   std::string text;
-  for (std::size_t i = 0; i < group.pieces.size(); ++i) {
-    const Piece& piece = group.pieces[i];
+  for (std::size_t i = 0; i < group.parts.size(); ++i) {
+    const ScenePart& piece = group.parts[i];
     if (piece.brdf.empty()) {
       text += fmt::format("include \"{}\"\n", piece.part);
       continue;

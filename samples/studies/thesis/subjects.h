@@ -18,7 +18,7 @@ struct Effort {
 
 /// A part of a scene with its own BRDF and scheme, which the part names `material` and `scheme`. If the text
 /// of the BRDF is empty, it has neither.
-struct Piece {
+struct ScenePart {
   std::string part;  ///< path of a GRF file
   std::string brdf;  ///< GRF text
 };
@@ -36,7 +36,7 @@ struct Piece {
 /// The suffix `-ris` adds resampled importance sampling.
 struct Line {
   std::string technique;
-  std::string pdf;  ///< GRF text; empty: each piece has its own, in `Group::schemes`
+  std::string pdf;  ///< GRF text; empty: each part has its own, in `Group::schemes`
 };
 
 /// A group of lines that one run of `bpt cost` measures, interleaved.
@@ -44,8 +44,8 @@ struct Group {
   std::string scene;
   std::string brdf;  ///< name of the BRDF
   std::string file;  ///< name of the OP and GRF files, without extension
-  std::vector<Piece> pieces;
-  std::vector<std::string> schemes;  ///< per piece, for a line without `pdf`
+  std::vector<ScenePart> parts;
+  std::vector<std::string> schemes;  ///< per part, for a line without `pdf`
   std::string options;               ///< lines of the OP file, besides the scene
   std::vector<Line> lines;
   std::string integrator;  ///< naive or path

@@ -23,7 +23,7 @@ std::string cell(const std::optional<double>& value) { return value ? figure(*va
 void add_today(Table& table, const PrintedTable& printed, const Content& content, std::string_view technique,
                const Results& results) {
   for (const std::string_view integrator : {"naive", "path"}) {
-    const Which line = {content.scene, {}, technique, integrator};
+    const RowFilter line = {content.scene, {}, technique, integrator};
     if (results.select(line).empty()) continue;
     std::vector<std::string> row = {fmt::format("`{}`, {}", technique, integrator)};
     for (const int count : printed.samples) {

@@ -133,9 +133,9 @@ class Stage {
   }
 
   void open() {
-    QSignalSpy taken(&document(), &Document::taken);
+    QSignalSpy replaced(&document(), &Document::scene_replaced);
     window_.files().open(file_);
-    if (taken.empty()) taken.wait(10 * Minute);
+    if (replaced.empty()) replaced.wait(10 * Minute);
   }
 
   void select_one() {

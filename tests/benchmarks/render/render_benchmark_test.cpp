@@ -49,7 +49,7 @@ TEST(RenderBenchmark, SaysWhichSceneItDoesNotHave) {
   const auto outcome = test::run(
       {GRANADA_BIN_DIR "/render_benchmark", "--quick", "--folder", folder.path("run"), "--scenes", "teapot"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.err, "error: there is no scene 'teapot'\n");
+  EXPECT_EQ(outcome.err, "error: unknown scene 'teapot'\n");
 }
 
 TEST(OutdoorMap, HasASunThatIsMostOfItsLight) {

@@ -173,14 +173,14 @@ grf::BrdfModel model(const std::string& text) {
   return grf::read_brdf(text, "test", diagnostics).value();
 }
 
-TEST(FacetValues, OfMetallicRoughnessComeBack) {
+TEST(MicrofacetValues, OfMetallicRoughnessComeBack) {
   for (const double metallic : {0.0, 0.3, 0.7, 1.0}) {
     for (const double grey : {0.2, 0.5, 0.9}) {
       MetallicRoughness material;
       material.base_colour = grf::Vec3d(grey);
       material.metallic = metallic;
       material.roughness = 0.6;
-      const MetallicRoughness again = metallic_roughness(facet_values(material));
+      const MetallicRoughness again = metallic_roughness(microfacet_values(material));
       EXPECT_NEAR(again.metallic, metallic, 1e-9);
       EXPECT_NEAR(again.base_colour.x, grey, 1e-9);
       EXPECT_NEAR(again.roughness, 0.6, 1e-9);

@@ -101,7 +101,7 @@ TEST(VertexNormals, GoOverSeamsWherePlacesAreGiven) {
   std::vector<grf::Vec3f> positions = CubeCorners;
   positions.insert(positions.end(), CubeCorners.begin(), CubeCorners.end());
   const grf::Geometry geometry = geometry_of(positions, {{0, 1, 2, 3}, {9, 13, 14, 10}});
-  CreasedNormals joined = creased_normals(geometry, grf::first_at_place(geometry), 3);
+  CreasedNormals joined = creased_normals(geometry, grf::first_at_position(geometry), 3);
   expect_near(*joined.at(1), grf::Vec3f(-1, 0, 1).normalized());
   CreasedNormals apart = creased_normals(geometry, {}, 3);
   expect_near(*apart.at(1), {0, 0, 1});

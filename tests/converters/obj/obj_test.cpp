@@ -203,7 +203,7 @@ TEST(Obj, SaysInOneLineAKindWhatIsLost) {
                                        "curv 0 1 1 2\ncurv 0 1 2 3\nlod 3\n");
   EXPECT_THAT(text, HasSubstr("1 texture coordinate lost its third number: "));
   EXPECT_THAT(text, HasSubstr("1 vertex without a face was left out: "));
-  EXPECT_THAT(text, HasSubstr("1 face was left out: three corners or more"));
+  EXPECT_THAT(text, HasSubstr("1 face was left out: fewer than three corners"));
   EXPECT_THAT(text, HasSubstr("2 lines were left out: "));
   EXPECT_THAT(text, HasSubstr("3 points were left out: "));
   EXPECT_THAT(text, HasSubstr("3 statements were not read: 'curv', 'lod'"));

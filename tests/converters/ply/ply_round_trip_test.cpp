@@ -11,7 +11,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "converters/material_mapping.h"
-#include "converters/scene_parts.h"
+#include "converters/scene_building.h"
 #include "grf/keywords.h"
 #include "tests/converters/ply/ply_bytes.h"
 #include "tests/converters/reading.h"

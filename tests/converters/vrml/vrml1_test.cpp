@@ -230,7 +230,8 @@ TEST(Vrml1Materials, OfCorners) {
   const Reading reading =
       read_vrml1(Points + "Material { diffuseColor [ 1 0 0, 0 1 0 ] transparency [ 0, 1 ] }" +
                  binding("PER_VERTEX") + Faces + "}");
-  EXPECT_THAT(reading.text(), HasSubstr("2 faces have one material: of those of their corners"));
+  EXPECT_THAT(reading.text(),
+              HasSubstr("2 faces have one material: only the diffuse colours of those of their corners"));
   EXPECT_THAT(read_vrml1(binding("PER_CORNER") + Colours + "Cube {}").text(),
               HasSubstr("'PER_CORNER' is not a binding"));
 }

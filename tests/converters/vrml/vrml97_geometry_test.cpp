@@ -83,7 +83,7 @@ TEST(VrmlFaceSet, ShortFacesAreLeftOutAndShiftNothing) {
   ASSERT_EQ(mesh.face_count(), 1U);
   EXPECT_EQ(face_colour(mesh, 0), Colour(0, 1, 0));
   EXPECT_THAT(normals_of(mesh, 0), ElementsAre(X, Y, Z));
-  EXPECT_THAT(reading.text(), HasSubstr("2 faces were left out: three corners or more"));
+  EXPECT_THAT(reading.text(), HasSubstr("2 faces were left out: fewer than three corners"));
 }
 
 TEST(VrmlFaceSet, BindsNormals) {

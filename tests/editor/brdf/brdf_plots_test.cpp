@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <qcustomplot.h>
 
-#include "editor/brdf/made_brdf.h"
+#include "editor/brdf/compiled_brdf.h"
 #include "grf/read.h"
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/presets.h"
@@ -32,30 +32,29 @@ plot::AlbedoCurve albedo_of(const reflectance::Brdf& brdf) {
 }
 
 TEST(LobeCurves, HaveTheDensityOfAScheme) {
-  const SharedBrdf ward = made_brdf_of("ward sx=0.2");
+  const SharedBrdf ward = compiled_brdf_of("ward sx=0.2");
   const LobeCurves curves = lobe_curves(*ward, {30}, pdf("diffuse"), {});
   const plot::LobeCurve& curve = curves.curves.front();
-  ASSERT_EQ(curve.densities.size(), curve.degrees.size());
+  ASSERT_EQ(curve.pdfs.size(), curve.degrees.size());
   for (std::size_t i = 0; i < curve.degrees.size(); i += 37) {
-    EXPECT_NEAR(curve.densities[i], std::cos(curve.degrees[i] * std::numbers::pi / 180) / std::numbers::pi,
-                1e-4);
+    EXPECT_NEAR(curve.pdfs[i], std::cos(curve.degrees[i] * std::numbers::pi / 180) / std::numbers::pi, 1e-4);
   }
   const LobeCurves refused = lobe_curves(*ward, {30}, pdf("specular"), {});
-  EXPECT_FALSE(refused.scheme_mistake.isEmpty());
-  EXPECT_TRUE(refused.curves.front().densities.empty());
+  EXPECT_FALSE(refused.scheme_error.isEmpty());
+  EXPECT_TRUE(refused.curves.front().pdfs.empty());
 }
 
 TEST(AlbedoCurves, WarnOfGainInTheModelsWords) {
-  const SharedBrdf minnaert = made_brdf_of("minnaert k=0.8 kd=1");
+  const SharedBrdf minnaert = compiled_brdf_of("minnaert k=0.8 kd=1");
   const plot::AlbedoCurve curve = albedo_of(*minnaert);
   EXPECT_NEAR(curve.along_x.front().x, 1.111, 0.01);
   EXPECT_GT(curve.largest.albedo, 1.5F);
-  const EnergyWords words = energy_words(*minnaert, curve.largest);
+  const EnergyNote words = energy_note(*minnaert, curve.largest);
   EXPECT_TRUE(words.is_warning);
   const auto info = reflectance::info_of<reflectance::Minnaert>();
   EXPECT_TRUE(words.text.contains(QString::fromStdString(std::string(info.not_conserving))));
-  const SharedBrdf matte = made_brdf_of("diffuse kd=0.5");
-  EXPECT_FALSE(energy_words(*matte, albedo_of(*matte).largest).is_warning);
+  const SharedBrdf matte = compiled_brdf_of("diffuse kd=0.5");
+  EXPECT_FALSE(energy_note(*matte, albedo_of(*matte).largest).is_warning);
 }
 
 class Plots : public testing::Test {
@@ -83,7 +82,7 @@ TEST_F(Plots, SayWhatToDoWithoutABrdf) {
 }
 
 TEST_F(Plots, DrawTheValuesInAllKinds) {
-  const SharedBrdf one = made_brdf_of("phong n=30 ks=0.4 kd=(0.6, 0.3, 0.1)");
+  const SharedBrdf one = compiled_brdf_of("phong n=30 ks=0.4 kd=(0.6, 0.3, 0.1)");
   plots.set_brdf(one);
   ASSERT_TRUE(settles());
   EXPECT_EQ(plot().legend->itemCount(), 4);
@@ -101,18 +100,18 @@ TEST_F(Plots, DrawTheValuesInAllKinds) {
 }
 
 TEST_F(Plots, TakeViewsAndScheme) {
-  plots.set_brdf(made_brdf_of("ward"));
+  plots.set_brdf(compiled_brdf_of("ward"));
   auto* views = plots.findChild<QLineEdit*>();
   views->setText("0, 45");
   emit views->editingFinished();
   plots.set_scheme(pdf("hemisphere exp=20"));
   ASSERT_TRUE(settles());
   ASSERT_EQ(plots.curves().curves.size(), 2U);
-  EXPECT_FALSE(plots.curves().curves[1].densities.empty());
+  EXPECT_FALSE(plots.curves().curves[1].pdfs.empty());
 }
 
 TEST_F(Plots, FollowTheLatestBrdfAlone) {
-  for (int i = 1; i <= 20; ++i) plots.set_brdf(made_brdf_of("diffuse kd=" + std::to_string(0.05 * i)));
+  for (int i = 1; i <= 20; ++i) plots.set_brdf(compiled_brdf_of("diffuse kd=" + std::to_string(0.05 * i)));
   QSignalSpy updated(&plots, &BrdfPlots::updated);
   ASSERT_TRUE(settles());
   ASSERT_TRUE(QTest::qWaitFor([&] { return !plots.curves().curves.empty(); }));
@@ -121,7 +120,7 @@ TEST_F(Plots, FollowTheLatestBrdfAlone) {
 }
 
 TEST_F(Plots, AreWritten) {
-  plots.set_brdf(made_brdf_of("ward"));
+  plots.set_brdf(compiled_brdf_of("ward"));
   ASSERT_TRUE(settles());
   const QTemporaryDir folder;
   for (const char* ending : {"svg", "png", "pdf", "csv"}) {

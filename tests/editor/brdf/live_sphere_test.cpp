@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "editor/brdf/made_brdf.h"
+#include "editor/brdf/compiled_brdf.h"
 #include "grf/read.h"
 #include "renderer/reflectance/presets.h"
 #include "tests/editor/brdf/brdf_of.h"
@@ -19,14 +19,14 @@ using reflectance::Vec3f;
 /// The number of pixels that differ by more than 1 % between GPU and CPU.
 int differing(SphereShader& shader, const std::string& text) {
   SphereScene scene;
-  scene.brdf = made_brdf_of(text);
+  scene.brdf = compiled_brdf_of(text);
   scene.side = 48;
   scene.light.normalize();
   const auto by_glsl = shader.shade(scene, 16, StopFlag());
   EXPECT_TRUE(by_glsl) << text;
   if (!by_glsl) return 0;
   EXPECT_TRUE(by_glsl->is_by_glsl);
-  const SphereImage by_cpp = shade_by_cpp(scene, 16, {});
+  const SphereImage by_cpp = shade_on_cpu(scene, 16, {});
   int count = 0;
   double sum = 0;
   for (std::size_t i = 0; i < by_cpp.radiance.size(); ++i) {
@@ -65,7 +65,7 @@ TEST(SphereShader, LeavesMeasurementsToCpp) {
   scene.side = 32;
   ASSERT_TRUE(shader);
   EXPECT_FALSE(shader->shade(scene, 16, StopFlag()));
-  EXPECT_EQ(shade_by_cpp(scene, 16, {}).radiance.size(), 32U * 32U);
+  EXPECT_EQ(shade_on_cpu(scene, 16, {}).radiance.size(), 32U * 32U);
 }
 
 TEST(LiveSphere, IsShadedByCppWhereTheDriverRefuses) {
@@ -77,7 +77,7 @@ TEST(LiveSphere, IsShadedByCppWhereTheDriverRefuses) {
   LiveSphere sphere(nullptr, driver);
   QSignalSpy warned(&sphere, &LiveSphere::warned);
   const auto shows = [&](const char* text, bool is_by_glsl) {
-    sphere.set_brdf(made_brdf_of(text));
+    sphere.set_brdf(compiled_brdf_of(text));
     return QTest::qWaitFor(
         [&] {
           return !sphere.is_busy() && sphere.image().side > 0 && sphere.image().is_by_glsl == is_by_glsl;
@@ -92,7 +92,7 @@ TEST(LiveSphere, IsShadedByCppWhereTheDriverRefuses) {
   EXPECT_TRUE(shows("ward", false));
   ASSERT_FALSE(warned.isEmpty());
   EXPECT_THAT(warned[0][0].toString().toStdString(),
-              testing::EndsWith("by C++: 0:1(1): error: no such thing"));
+              testing::EndsWith("on the CPU: 0:1(1): error: no such thing"));
 }
 
 TEST(Displayed, IsEncodedAsSrgbWithExposure) {
@@ -109,12 +109,12 @@ TEST(Displayed, IsEncodedAsSrgbWithExposure) {
 
 TEST(ShadeByCpp, ShowsAMatteSurfaceUnderTheLight) {
   SphereScene scene;
-  scene.brdf = made_brdf_of("diffuse kd=1");
+  scene.brdf = compiled_brdf_of("diffuse kd=1");
   scene.side = 65;
   scene.light = Vec3f(0, 0, 1);
-  const SphereImage with_light = shade_by_cpp(scene, 64, {});
+  const SphereImage with_light = shade_on_cpu(scene, 64, {});
   scene.light_strength = 0;
-  const SphereImage without = shade_by_cpp(scene, 64, {});
+  const SphereImage without = shade_on_cpu(scene, 64, {});
   const std::size_t middle = 32 * 65 + 32;
   EXPECT_NEAR(with_light.radiance[middle].x - without.radiance[middle].x, 1, 1e-4);
 }
@@ -122,7 +122,7 @@ TEST(ShadeByCpp, ShowsAMatteSurfaceUnderTheLight) {
 TEST(LiveSphere, FollowsThePointerAndTheKeys) {
   LiveSphere sphere;
   sphere.resize(200, 200);
-  sphere.set_brdf(made_brdf_of("ward sx=0.1"));
+  sphere.set_brdf(compiled_brdf_of("ward sx=0.1"));
   sphere.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&sphere));
   ASSERT_TRUE(QTest::qWaitFor([&] { return sphere.image().side > 0 && !sphere.is_busy(); }, 20000));

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "editor/appearance/theme.h"
-#include "editor/brdf/made_brdf.h"
+#include "editor/brdf/compiled_brdf.h"
 #include "grf/read.h"
 #include "tests/editor/brdf/brdf_of.h"
 
@@ -16,7 +16,7 @@ namespace editor {
 namespace {
 
 TEST(LobeMesh, HasTheValuesOverTheHemisphere) {
-  const SharedBrdf ward = made_brdf_of("ward sx=0.2 sy=0.4");
+  const SharedBrdf ward = compiled_brdf_of("ward sx=0.2 sy=0.4");
   for (const double view : {0.0, 45.0, 85.0}) {
     const LobeMesh mesh = lobe_mesh(*ward, view, false, false, {});
     ASSERT_EQ(mesh.values.size(), mesh.directions.size());
@@ -33,7 +33,7 @@ TEST(LobeMesh, HasTheValuesOverTheHemisphere) {
 
 TEST(LobeMesh, CoversTheHemisphere) {
   // The lobe of a diffuse BRDF is a hemisphere: its volume shows that it is complete and oriented outwards.
-  const LobeMesh mesh = lobe_mesh(*made_brdf_of("diffuse"), 60, false, false, {});
+  const LobeMesh mesh = lobe_mesh(*compiled_brdf_of("diffuse"), 60, false, false, {});
   double volume = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
     const auto& a = mesh.positions[mesh.triangles[i]];
@@ -47,7 +47,7 @@ TEST(LobeMesh, CoversTheHemisphere) {
 TEST(LobeView, DrawsTheLobeAndIsOrbited) {
   LobeView view;
   view.resize(320, 240);
-  view.set_brdf(made_brdf_of("phong n=20 ks=0.5"));
+  view.set_brdf(compiled_brdf_of("phong n=20 ks=0.5"));
   view.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
   ASSERT_TRUE(QTest::qWaitFor([&] { return !view.is_busy() && view.mesh().peak > 0; }));

@@ -85,19 +85,19 @@ TEST(BrdfForm, HasARowForEachParameterOfEachModel) {
 
 TEST(BrdfForm, KeepsTheDefaultsThatAreTypedIn) {
   for (const grf::ModelInfo& info : reflectance::brdf_infos()) {
-    if (info.takes != grf::ModelInfo::Takes::Parameters) continue;
+    if (info.argument_kind != grf::ModelInfo::ArgumentKind::Parameters) continue;
     BrdfForm form;
     show(form);
     grf::BrdfModel model;
     model.keyword = info.keyword;
     form.set_models({model});
-    EXPECT_TRUE(form.mistakes().empty()) << info.keyword;
+    EXPECT_TRUE(form.errors().empty()) << info.keyword;
     const auto before = reflectance::make_brdf(model);
     for (const grf::ParameterInfo& parameter : info.parameters) {
       set_value(model, parameter, value_of(model, info, parameter));
     }
     form.set_models({model});
-    EXPECT_TRUE(form.mistakes().empty()) << info.keyword;
+    EXPECT_TRUE(form.errors().empty()) << info.keyword;
     EXPECT_EQ(brdf_model(grf::to_text(form.models().front())), model);
     const reflectance::Vec3f u(0.6F, 0, 0.8F);
     const reflectance::Vec3f v(-0.48F, 0.36F, 0.8F);
@@ -150,7 +150,7 @@ TEST(BrdfForm, SaysWhatCheckSaysAndReportsWhenItIsRight) {
   grf::Diagnostics diagnostics;
   EXPECT_FALSE(grf::check(brdf_model("ward sx=11"), reflectance::brdf_infos(), "BRDF", diagnostics));
   const QString expected = QString::fromStdString(diagnostics.entries()[0].message);
-  EXPECT_THAT(form.mistakes(), testing::ElementsAre(expected));
+  EXPECT_THAT(form.errors(), testing::ElementsAre(expected));
   EXPECT_EQ(box_of(form, "sx")->message(), expected);
   bool is_shown = false;
   for (const QLabel* label : form.findChildren<QLabel*>())
@@ -158,7 +158,7 @@ TEST(BrdfForm, SaysWhatCheckSaysAndReportsWhenItIsRight) {
   EXPECT_TRUE(is_shown);
   EXPECT_EQ(reports.edited.size(), 0U);
   type(box_of(form, "sx"), "1");
-  EXPECT_TRUE(form.mistakes().empty());
+  EXPECT_TRUE(form.errors().empty());
   EXPECT_EQ(reports.edited.size(), 1U);
 }
 
@@ -168,10 +168,10 @@ TEST(BrdfForm, SaysWhatIsWrongTogether) {
   form.set_models({brdf_model("lafortune n=100")});
   Reports reports(form);
   type(box_of(form, "Cz"), "5");
-  ASSERT_EQ(form.mistakes().size(), 1U);
+  ASSERT_EQ(form.errors().size(), 1U);
   EXPECT_EQ(reports.edited.size(), 0U);
   type(box_of(form, "n"), "10");
-  EXPECT_TRUE(form.mistakes().empty());
+  EXPECT_TRUE(form.errors().empty());
   ASSERT_EQ(reports.edited.size(), 1U);
   EXPECT_EQ(reports.edited[0][0], brdf_model("lafortune n=10 Cz=5"));
 }
@@ -235,7 +235,7 @@ TEST(BrdfForm, MakesSumsOfWhatIsDefined) {
   grf::BrdfModel sum;
   sum.keyword = "combine";
   form.set_models({sum});
-  EXPECT_FALSE(form.mistakes().empty());
+  EXPECT_FALSE(form.errors().empty());
   Reports reports(form);
   for (QToolButton* button : form.findChildren<QToolButton*>()) {
     if (button->accessibleName() != "Add a BRDF to the sum") continue;
@@ -245,8 +245,8 @@ TEST(BrdfForm, MakesSumsOfWhatIsDefined) {
   ASSERT_EQ(reports.edited.size(), 2U);
   EXPECT_EQ(grf::to_text(form.models()[0]), "combine 1 clay, 0.5 varnish");
   form.set_definitions({});
-  ASSERT_EQ(form.mistakes().size(), 2U);
-  EXPECT_TRUE(form.mistakes()[0].contains("clay"));
+  ASSERT_EQ(form.errors().size(), 2U);
+  EXPECT_TRUE(form.errors()[0].contains("clay"));
 }
 
 TEST(ParameterRows, HaveARowForEachParameterOfEachScheme) {

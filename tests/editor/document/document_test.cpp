@@ -73,7 +73,7 @@ TEST_F(Documents, KnowTheirObjects) {
   ASSERT_EQ(objects.meshes.size(), 2U);
   EXPECT_EQ(objects.meshes[0].name, "tile");
   EXPECT_TRUE(objects.meshes[0].is_definition);
-  EXPECT_EQ(objects.meshes[1].looks.front().texture, "/nowhere/wood.png");
+  EXPECT_EQ(objects.meshes[1].flat_surfaces.front().texture, "/nowhere/wood.png");
   ASSERT_EQ(objects.instances->size(), 3U);
   EXPECT_EQ(objects.faces, 3U);
   EXPECT_EQ(objects.triangles, 5U);
@@ -85,7 +85,7 @@ TEST_F(Documents, AssignToFacesAndBack) {
   select({0, 1});
   document_.edit_surfaces("Assign gold", brdf("gold"));
   EXPECT_THAT(grf::to_text(document_.scene()), HasSubstr("(0, 1, 2)\n    brdf gold\n    (0, 2, 3)"));
-  EXPECT_EQ(document_.objects().meshes[0].looks.back().brdf->keyword, "ward");
+  EXPECT_EQ(document_.objects().meshes[0].flat_surfaces.back().brdf->keyword, "ward");
   EXPECT_TRUE(document_.is_modified());
   const grf::Scene after = document_.scene();
   document_.select(FaceSelection(document_.objects()));
@@ -129,7 +129,7 @@ TEST_F(Documents, MergeTheStepsOfAGesture) {
 TEST_F(Documents, CopyWhatAFaceHas) {
   select({0, 0});
   document_.edit_surfaces("Copy", edit_to(document_.objects().meshes[1].mesh->surfaces.front()));
-  EXPECT_EQ(document_.objects().meshes[0].looks.back().texture, "/nowhere/wood.png");
+  EXPECT_EQ(document_.objects().meshes[0].flat_surfaces.back().texture, "/nowhere/wood.png");
 }
 
 TEST_F(Documents, ReplaceScenesAndKeepTheSelection) {
@@ -152,7 +152,7 @@ TEST_F(Documents, SaveTheScene) {
   ASSERT_TRUE(document_.save(path, diagnostics)) << diagnostics.to_text();
   EXPECT_FALSE(document_.is_modified());
   EXPECT_EQ(document_.name(), "saved.grf");
-  EXPECT_EQ(document_.objects().meshes[1].looks.front().texture, "/nowhere/wood.png");
+  EXPECT_EQ(document_.objects().meshes[1].flat_surfaces.front().texture, "/nowhere/wood.png");
   const auto saved = grf::read(path.toStdString(), diagnostics);
   ASSERT_TRUE(saved) << diagnostics.to_text();
   EXPECT_EQ(*saved, document_.scene());
@@ -169,7 +169,7 @@ TEST_F(Documents, NameTheSameFilesInStepsOfBeforeTheyWereSavedElsewhere) {
   const test::TemporaryFolder folder;
   grf::Diagnostics diagnostics;
   ASSERT_TRUE(document_.save(QString::fromStdString(folder.path("saved.grf")), diagnostics));
-  const auto texture = [this] { return document_.objects().meshes[1].looks.front().texture; };
+  const auto texture = [this] { return document_.objects().meshes[1].flat_surfaces.front().texture; };
   for (const char* expected : {"/nowhere/steel.png", "/nowhere/wood.png"}) {
     document_.undo_stack().undo();
     EXPECT_EQ(texture(), expected);
@@ -195,7 +195,7 @@ TEST(DocumentOfAFileThatIsIncludedTwice, IsEditedAtBothPlaces) {
   Document document;
   document.take(*scene, QString::fromStdString(path), {});
   int told = 0;
-  QObject::connect(&document, &Document::told, [&told] { ++told; });
+  QObject::connect(&document, &Document::status_message, [&told] { ++told; });
   FaceSelection selection(document.objects());
   selection.set({1, 0});
   document.select(selection);
@@ -204,7 +204,7 @@ TEST(DocumentOfAFileThatIsIncludedTwice, IsEditedAtBothPlaces) {
   document.edit_surfaces("Colour", edit);
   EXPECT_EQ(told, 1);
   for (const MeshObject& object : document.objects().meshes) {
-    EXPECT_EQ(object.looks.front().colour, grf::Colour(1, 0, 0));
+    EXPECT_EQ(object.flat_surfaces.front().colour, grf::Colour(1, 0, 0));
   }
   ASSERT_TRUE(document.save(QString::fromStdString(path), diagnostics)) << diagnostics.to_text();
   const auto saved = grf::read(path, diagnostics);
@@ -305,7 +305,7 @@ TEST_F(Documents, SayWhyOptionsCannotBeRead) {
 TEST_F(Documents, EndStepsOfOptionsWhereAGestureEnds) {
   const auto move_camera = [this](float x) {
     options::RenderOptions now = document_.options().valid_options();
-    now.viewer = grf::Vec3f(x, 0, 0);
+    now.eye = grf::Vec3f(x, 0, 0);
     document_.options().set_options("Move the camera", now, "camera");
   };
   for (const float x : {1.0F, 2.0F}) move_camera(x);
@@ -314,7 +314,7 @@ TEST_F(Documents, EndStepsOfOptionsWhereAGestureEnds) {
   move_camera(3);
   ASSERT_EQ(document_.undo_stack().count(), 2);
   document_.undo_stack().undo();
-  EXPECT_EQ(document_.options().valid_options().viewer, grf::Vec3f(2, 0, 0));
+  EXPECT_EQ(document_.options().valid_options().eye, grf::Vec3f(2, 0, 0));
 }
 
 TEST(SurfaceEdits, EditInPlaceASurfaceOfWhichAllFacesAreSelected) {

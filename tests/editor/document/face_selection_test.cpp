@@ -116,10 +116,10 @@ TEST_F(Selecting, FollowsWhatIsFlat) {
 
 TEST_F(Selecting, FindsWhatIsAlike) {
   selection_.set({0, 3});
-  const FaceSelection matte = alike(selection_, objects_, Likeness::Brdf);
+  const FaceSelection matte = select_similar(selection_, objects_, SimilarBy::Brdf);
   EXPECT_THAT(faces(matte), ElementsAre(3, 4));
   EXPECT_THAT(faces(matte, 1), ElementsAre(0));
-  EXPECT_EQ(alike(selection_, objects_, Likeness::Texture).count(), 7U);
+  EXPECT_EQ(select_similar(selection_, objects_, SimilarBy::Texture).count(), 7U);
 }
 
 TEST(SelectingByName, TellsNamesOfTwoScopesApart) {
@@ -132,14 +132,14 @@ TEST(SelectingByName, TellsNamesOfTwoScopesApart) {
                                     "scene.grf", diagnostics);
   ASSERT_TRUE(scene) << diagnostics.to_text();
   const SceneObjects objects = objects_of(*scene, "scene.grf");
-  for (const Likeness likeness : {Likeness::Brdf, Likeness::Colour, Likeness::All}) {
+  for (const SimilarBy by : {SimilarBy::Brdf, SimilarBy::Colour, SimilarBy::All}) {
     FaceSelection selection(objects);
     selection.set({0, 0});
-    EXPECT_THAT(alike(selection, objects, likeness).meshes(), ElementsAre(0, 2));
+    EXPECT_THAT(select_similar(selection, objects, by).meshes(), ElementsAre(0, 2));
   }
   FaceSelection of_sum(objects);
   of_sum.set({1, 0});
-  EXPECT_THAT(alike(of_sum, objects, Likeness::Brdf).meshes(), ElementsAre(1, 3));
+  EXPECT_THAT(select_similar(of_sum, objects, SimilarBy::Brdf).meshes(), ElementsAre(1, 3));
 }
 
 }  // namespace

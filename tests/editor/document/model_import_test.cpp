@@ -60,12 +60,12 @@ TEST_F(ModelImports, CarryWhatStoodInsideTheModelToWhereTheSceneIsSaved) {
   document.take_import(*model);
   EXPECT_TRUE(document.is_modified());
   EXPECT_TRUE(document.path().isEmpty());
-  const std::string before = document.objects().meshes[0].looks.front().texture;
+  const std::string before = document.objects().meshes[0].flat_surfaces.front().texture;
   EXPECT_THAT(before, HasSubstr("/imports/"));
   grf::Diagnostics diagnostics;
   folder_.add("saved/other", "");
   ASSERT_TRUE(document.save(QString::fromStdString(folder_.path("saved/box.grf")), diagnostics));
-  const std::string after = document.objects().meshes[0].looks.front().texture;
+  const std::string after = document.objects().meshes[0].flat_surfaces.front().texture;
   EXPECT_EQ(after, folder_.path("saved/" + before.substr(before.rfind('/') + 1)));
   EXPECT_EQ(test::bytes_of(after), test::bytes_of(before));
 }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float Sky = 0.7F;
 
-bool is_same(const Look& a, const Look& b) {
+bool is_same(const FlatSurface& a, const FlatSurface& b) {
   return a.colour == b.colour && a.brdf == b.brdf && a.terms == b.terms && a.texture == b.texture &&
          a.emission == b.emission;
 }
@@ -43,7 +43,7 @@ bool are_same(const std::vector<Item>& a, const std::vector<Item>& b) {
 
 bool is_same(const MeshObject& a, const MeshObject& b) {
   return a.path == b.path && a.name == b.name && a.mesh == b.mesh && a.is_definition == b.is_definition &&
-         a.is_light == b.is_light && are_same(a.looks, b.looks);
+         a.is_light == b.is_light && are_same(a.flat_surfaces, b.flat_surfaces);
 }
 
 bool is_same(const SceneObjects& a, const SceneObjects& b) {
@@ -63,7 +63,7 @@ std::string unsaid(const Change& change, const SceneObjects& before, const Scene
     const MeshObject& other = now.meshes[i];
     const bool is_told = std::find(change.meshes.begin(), change.meshes.end(), i) != change.meshes.end();
     if (!is_told && !(one.mesh == other.mesh)) return "a mesh";
-    if (!is_told && !change.definitions && !are_same(one.looks, other.looks)) return "a look";
+    if (!is_told && !change.definitions && !are_same(one.flat_surfaces, other.flat_surfaces)) return "a look";
     if (!change.names && one.name != other.name) return "a name";
   }
   if (!change.lights && !are_same(before.lights, now.lights)) return "lights";

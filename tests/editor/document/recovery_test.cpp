@@ -59,11 +59,11 @@ class RecoveryTest : public testing::Test {
 };
 
 /// Timeout for a busy machine, milliseconds.
-constexpr int Patience = 30000;
+constexpr int Timeout = 30000;
 
 const QString TexturedBox = "/usr/share/assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb";
 
-void wait_for(QSignalSpy& spy) { ASSERT_TRUE(spy.count() > 0 || spy.wait(Patience)); }
+void wait_for(QSignalSpy& spy) { ASSERT_TRUE(spy.count() > 0 || spy.wait(Timeout)); }
 
 TEST_F(RecoveryTest, KeepsNothingWhereNothingIsUnsaved) {
   const Recovery recovery(document_, sessions(), 0);
@@ -76,13 +76,13 @@ TEST_F(RecoveryTest, GivesBackWorkAfterTheProcessDied) {
   QProcess session;
   session.start(GRANADA_BIN_DIR "/editing_session",
                 {document_.path(), sessions(), imports(), "changed inside"});
-  ASSERT_TRUE(session.waitForReadyRead(Patience)) << session.readAllStandardError().toStdString();
+  ASSERT_TRUE(session.waitForReadyRead(Timeout)) << session.readAllStandardError().toStdString();
   EXPECT_EQ(session.readAll().toStdString(), "kept\n");
   Document next;
   const Recovery recovery(next, sessions(), 0);
   EXPECT_TRUE(recovery.lost_work().empty()) << "its process still lives";
   session.kill();
-  ASSERT_TRUE(session.waitForFinished(Patience));
+  ASSERT_TRUE(session.waitForFinished(Timeout));
   rename(0, "changed inside");
 
   const auto lost = recovery.lost_work();
@@ -106,13 +106,13 @@ TEST_F(RecoveryTest, GivesBackWorkAfterTheProcessDied) {
 TEST_F(RecoveryTest, GivesBackImagesThatStoodInsideAModel) {
   QProcess session;
   session.start(GRANADA_BIN_DIR "/editing_session", {TexturedBox, sessions(), imports(), "box"});
-  ASSERT_TRUE(session.waitForReadyRead(Patience)) << session.readAllStandardError().toStdString();
+  ASSERT_TRUE(session.waitForReadyRead(Timeout)) << session.readAllStandardError().toStdString();
   const auto folders = [this] { return QDir(imports()).entryList(QDir::Dirs | QDir::NoDotAndDotDot); };
   ASSERT_EQ(folders().size(), 1);
   ImportFolder::remove_abandoned(imports(), {});
   EXPECT_EQ(folders().size(), 1) << "of a session that lives";
   session.kill();
-  ASSERT_TRUE(session.waitForFinished(Patience));
+  ASSERT_TRUE(session.waitForFinished(Timeout));
   Document next;
   const Recovery recovery(next, sessions(), 0);
   const auto lost = recovery.lost_work();
@@ -127,12 +127,12 @@ TEST_F(RecoveryTest, GivesBackImagesThatStoodInsideAModel) {
   for (const QString& folder : lost[0].imports) next.add_import(ImportFolder::adopt(folder));
   ImportFolder::remove_abandoned(imports(), {});
   ASSERT_EQ(folders().size(), 1) << "of this session now";
-  const std::string image = next.objects().meshes[0].looks.front().texture;
+  const std::string image = next.objects().meshes[0].flat_surfaces.front().texture;
   const std::string bytes = test::bytes_of(image);
   EXPECT_GT(bytes.size(), 1000U);
   folder_.add("saved/other", "");
   ASSERT_TRUE(next.save(QString::fromStdString(folder_.path("saved/box.grf")), diagnostics));
-  const std::string copy = next.objects().meshes[0].looks.front().texture;
+  const std::string copy = next.objects().meshes[0].flat_surfaces.front().texture;
   EXPECT_THAT(copy, HasSubstr("/saved/"));
   EXPECT_EQ(test::bytes_of(copy), bytes);
   EXPECT_TRUE(QDir(imports()).isEmpty()) << "once the image is copied, nobody needs it there";

@@ -39,19 +39,19 @@ class SceneObjectsTest : public testing::Test {
   }
 
   /// The surface of each mesh instance, in the order of the scene.
-  static std::vector<Look> looks_of(const SceneObjects& objects) {
-    std::vector<Look> looks;
+  static std::vector<FlatSurface> flat_surfaces_of(const SceneObjects& objects) {
+    std::vector<FlatSurface> flat_surfaces;
     for (const MeshInstance& instance : *objects.instances) {
-      looks.push_back(objects.meshes[instance.mesh].looks.front());
+      flat_surfaces.push_back(objects.meshes[instance.mesh].flat_surfaces.front());
     }
-    return looks;
+    return flat_surfaces;
   }
 
   /// Texture paths relative to the folder of the test.
   std::vector<std::string> textures(const std::string& text) const {
     std::vector<std::string> paths;
-    for (const Look& look : looks_of(objects(text))) {
-      const std::string path = grf::canonical_path(look.texture);
+    for (const FlatSurface& flat_surface : flat_surfaces_of(objects(text))) {
+      const std::string path = grf::canonical_path(flat_surface.texture);
       paths.push_back(path.substr(grf::canonical_path(folder_.path()).size() + 1));
     }
     return paths;
@@ -65,14 +65,14 @@ TEST_F(SceneObjectsTest, DefinedMeshesLookAsNamesAreMeantAtEachPlaceOfTheirFile)
   const SceneObjects found = objects(
       "def c = rgb (1, 0, 0) a = brdf diffuse kd=0.1 begin include \"part.grf\" end "
       "def c = rgb (0, 1, 0) a = brdf phong begin include \"part.grf\" include \"part.grf\" end");
-  const std::vector<Look> looks = looks_of(found);
-  ASSERT_EQ(looks.size(), 3U);
-  EXPECT_EQ(looks[0].colour, grf::Colour(1, 0, 0));
-  EXPECT_EQ(looks[1].colour, grf::Colour(0, 1, 0));
-  EXPECT_EQ(looks[2].colour, grf::Colour(0, 1, 0));
-  ASSERT_TRUE(looks[0].terms.size() == 1 && looks[1].terms.size() == 1);
-  EXPECT_EQ(looks[0].terms[0].brdf.keyword, "diffuse");
-  EXPECT_EQ(looks[1].terms[0].brdf.keyword, "phong");
+  const std::vector<FlatSurface> flat_surfaces = flat_surfaces_of(found);
+  ASSERT_EQ(flat_surfaces.size(), 3U);
+  EXPECT_EQ(flat_surfaces[0].colour, grf::Colour(1, 0, 0));
+  EXPECT_EQ(flat_surfaces[1].colour, grf::Colour(0, 1, 0));
+  EXPECT_EQ(flat_surfaces[2].colour, grf::Colour(0, 1, 0));
+  ASSERT_TRUE(flat_surfaces[0].terms.size() == 1 && flat_surfaces[1].terms.size() == 1);
+  EXPECT_EQ(flat_surfaces[0].terms[0].brdf.keyword, "diffuse");
+  EXPECT_EQ(flat_surfaces[1].terms[0].brdf.keyword, "phong");
   EXPECT_TRUE(found.mesh_at(grf::ScenePath{0, 2, 0, 0})) << "each definition is found where it stands";
   EXPECT_TRUE(found.mesh_at(grf::ScenePath{1, 3, 0, 0}));
 }
@@ -82,17 +82,17 @@ TEST_F(SceneObjectsTest, SumsOfSumsLookAsWhatTheyAddUp) {
   for (int i = 1; i < 20'000; ++i) {
     definitions += "s" + std::to_string(i) + " = brdf combine 1 s" + std::to_string(i - 1) + "\n";
   }
-  std::vector<Look> looks;
+  std::vector<FlatSurface> flat_surfaces;
   test::run_on_small_stack([&] {
-    looks = looks_of(
+    flat_surfaces = flat_surfaces_of(
         objects(definitions + "t = brdf combine 0.5 s19999, 3 a begin " + triangle_mesh("brdf t") + "end"));
   });
-  ASSERT_EQ(looks.size(), 1U);
-  ASSERT_EQ(looks[0].terms.size(), 2U);
-  EXPECT_EQ(looks[0].terms[0].brdf.keyword, "diffuse");
-  EXPECT_EQ(looks[0].terms[0].weight, 3.25F);
-  EXPECT_EQ(looks[0].terms[1].brdf.keyword, "ward");
-  EXPECT_EQ(looks[0].terms[1].weight, 1);
+  ASSERT_EQ(flat_surfaces.size(), 1U);
+  ASSERT_EQ(flat_surfaces[0].terms.size(), 2U);
+  EXPECT_EQ(flat_surfaces[0].terms[0].brdf.keyword, "diffuse");
+  EXPECT_EQ(flat_surfaces[0].terms[0].weight, 3.25F);
+  EXPECT_EQ(flat_surfaces[0].terms[1].brdf.keyword, "ward");
+  EXPECT_EQ(flat_surfaces[0].terms[1].weight, 1);
 }
 
 TEST_F(SceneObjectsTest, TexturesAreBesideTheFileThatNamesThem) {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "editor/image/image_figures.h"
+#include "editor/image/image_statistics.h"
 #include "renderer/transport/image/srgb.h"
 
 namespace editor {
@@ -127,23 +127,23 @@ TEST(ScreenColours, BlocksAreMeans) {
   EXPECT_EQ(part.pixel(0, 0), colours(Rgb(0.2F)));
 }
 
-TEST(ImageFigures, CountAndRank) {
+TEST(ImageStatistics, CountAndRank) {
   Image image{100, 100, std::vector<Rgb>(10000, Rgb(1))};
   image.pixels[0] = Rgb(NotANumber);
   image.pixels[1] = Rgb(1, Infinite, 1);
   image.pixels[2] = Rgb(1, -1, 1);
   for (std::size_t i = 3; i < 103; ++i) image.pixels[i] = Rgb(0.25F);
   image.pixels[200] = Rgb(1e6F);
-  const ImageFigures figures = figures_of(image);
-  EXPECT_EQ(figures.nan_pixels, 1U);
-  EXPECT_EQ(figures.infinite_pixels, 1U);
-  EXPECT_EQ(figures.negative_pixels, 1U);
-  EXPECT_NEAR(figures.dark_luminance, 0.25, 1e-6);
-  EXPECT_NEAR(figures.bright_luminance, 1, 1e-6) << "one firefly is no measure";
-  EXPECT_EQ(figures_of({2, 1, {Rgb(0), Rgb(0)}}).bright_luminance, 0);
+  const ImageStatistics statistics = statistics_of(image);
+  EXPECT_EQ(statistics.nan_pixels, 1U);
+  EXPECT_EQ(statistics.infinite_pixels, 1U);
+  EXPECT_EQ(statistics.negative_pixels, 1U);
+  EXPECT_NEAR(statistics.dark_luminance, 0.25, 1e-6);
+  EXPECT_NEAR(statistics.bright_luminance, 1, 1e-6) << "one firefly is no measure";
+  EXPECT_EQ(statistics_of({2, 1, {Rgb(0), Rgb(0)}}).bright_luminance, 0);
 }
 
-TEST(ImageFigures, DifferencesAreWhatTheySay) {
+TEST(ImageStatistics, DifferencesAreWhatTheySay) {
   const Image a{1, 1, {Rgb(1, 2, 0.5F)}};
   const Image b{1, 1, {Rgb(2, 2, 0)}};
   EXPECT_EQ(difference_of(a, b, Difference::Signed).pixels[0], Rgb(-1, 0, 0.5F));

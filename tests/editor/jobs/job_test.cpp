@@ -13,7 +13,7 @@
 namespace editor {
 namespace {
 
-constexpr int Patience = 20'000;
+constexpr int Timeout = 20'000;
 
 class Jobs : public testing::Test {
  protected:
@@ -22,7 +22,7 @@ class Jobs : public testing::Test {
     jobs_.add({title, queue, [this, title](Job&) { begun_.push_back(title.toStdString()); }, {}, "Stop"});
   }
   bool are_ended() {
-    return QTest::qWaitFor([this] { return jobs_.jobs().empty(); }, Patience);
+    return QTest::qWaitFor([this] { return jobs_.jobs().empty(); }, Timeout);
   }
 
   JobList jobs_;

@@ -114,7 +114,7 @@ TEST_F(SurfacePanels, MakeAWholeSurfaceAndUndoIt) {
   EXPECT_EQ(emitters[1].count, 2U);
   EXPECT_NEAR(find<NumberBox>("Radiance, red")->value(), 60 / (4 * std::numbers::pi), 1e-4);
   type(find<QComboBox>("Texture")->lineEdit(), "wood.png");
-  EXPECT_EQ(document_.objects().meshes[1].looks[0].texture, folder_.path("wood.png"));
+  EXPECT_EQ(document_.objects().meshes[1].flat_surfaces[0].texture, folder_.path("wood.png"));
   const grf::Scene after = document_.scene();
   EXPECT_EQ(document_.undo_stack().count(), 3);
   while (document_.undo_stack().canUndo()) document_.undo_stack().undo();

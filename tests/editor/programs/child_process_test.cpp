@@ -97,7 +97,7 @@ TEST(ChildProcess, ReturnsByItselfWhereItUnderstandsTheRequest) {
 }
 
 TEST(ChildProcess, IsEndedOnceItsPatienceIsOver) {
-  ChildProcess child({.patience = 200});
+  ChildProcess child({.terminate_timeout = 200});
   Heard heard(child);
   start_shell(child, "trap '' TERM; echo ready; while :; do sleep 0.05; done");
   ASSERT_TRUE(heard.wait_for_line());

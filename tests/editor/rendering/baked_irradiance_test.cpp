@@ -60,7 +60,7 @@ TEST_F(BakedIrradianceTest, IsGivenToTheSceneAsItIsByNow) {
   const IrradiatedScene irradiated = irradiance.applied_to(edited, path());
   EXPECT_EQ(irradiances(irradiated.scene), (std::vector<float>{-1, 3, 5}));
   EXPECT_EQ(irradiated.meshes, 2U);
-  EXPECT_EQ(irradiated.left_alone, 1U) << "the triangle that is new";
+  EXPECT_EQ(irradiated.skipped, 1U) << "the triangle that is new";
   const auto& first = std::get<grf::Shared<grf::Mesh>>(irradiated.scene.contents.blocks[1].content);
   EXPECT_EQ(std::get<grf::Colour>(*first->surfaces[0].colour), grf::Colour(0, 1, 0));
   const auto& observer = std::get<grf::Params>(irradiated.scene.contents.blocks[3].content);
@@ -92,7 +92,7 @@ TEST_F(BakedIrradianceTest, KeepsIncludesInFilesThatMayHaveIt) {
   const BakedIrradiance irradiance(scene, test::scene_of_text(triangle(irad(3)) + triangle(irad(5)) + View));
   const IrradiatedScene irradiated = irradiance.applied_to(scene, path());
   EXPECT_EQ(irradiances(irradiated.scene), (std::vector<float>{3, 5}));
-  EXPECT_EQ(irradiated.dissolved, 0U);
+  EXPECT_EQ(irradiated.expanded_includes, 0U);
   const auto& blocks = irradiated.scene.contents.blocks;
   ASSERT_EQ(blocks.size(), 4U) << "the observer was there already";
   EXPECT_EQ(std::get<grf::Include>(blocks[0].content).file, "lamp.grf");
@@ -114,7 +114,7 @@ TEST_F(BakedIrradianceTest, TakesAFileApartThatIsIncludedWhereOtherLightArrives)
                                  triangle(irad(5)) + "end\n" + View));
   const IrradiatedScene irradiated = irradiance.applied_to(scene, path());
   EXPECT_EQ(irradiances(irradiated.scene), (std::vector<float>{3, 5}));
-  EXPECT_GT(irradiated.dissolved, 0U);
+  EXPECT_GT(irradiated.expanded_includes, 0U);
   EXPECT_EQ(irradiances(again(irradiated.scene, "scene.igrf")), (std::vector<float>{3, 5}));
   EXPECT_EQ(irradiances(read("scene.grf")), (std::vector<float>{-1, -1}));
 }

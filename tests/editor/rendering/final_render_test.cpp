@@ -123,7 +123,7 @@ TEST_F(FinalRenderTest, TwoNeverWriteOneFile) {
   ASSERT_EQ(failed.size(), 1);
   EXPECT_THAT(failed[0][0].toString().toStdString(), HasSubstr("another render"));
   render_.start(test::final_request(path("other.grf"), 2));
-  EXPECT_THAT(why_, HasSubstr("is running"));
+  EXPECT_THAT(why_, HasSubstr("already running"));
   render_.stop();
   ASSERT_TRUE(ends());
 }
@@ -154,8 +154,8 @@ TEST(OpFile, HasWhatIsNotAsByDefault) {
   render_options.scene = folder.path("my scene.grf");
   render_options.environment = "/maps/sky # 1.exr";
   render_options.size = {640, 480};
-  render_options.viewer = grf::Vec3f(0.1F, 2, -3);
-  render_options.name = "Hemisphere";
+  render_options.eye = grf::Vec3f(0.1F, 2, -3);
+  render_options.scheme = "Hemisphere";
   render_options.target_error = 0.02F;
   render_options.without = {"textures", "indirect"};
   render_options.samples = 64;

@@ -82,7 +82,7 @@ class RenderPanelTest : public testing::Test {
 
 TEST_F(RenderPanelTest, TakesCameraAndOptionsFromTheFileBesideTheScene) {
   open(24);
-  EXPECT_EQ(options().viewer, grf::Vec3f(0, 2, 6));
+  EXPECT_EQ(options().eye, grf::Vec3f(0, 2, 6));
   EXPECT_EQ(control<NumberBox>("Samples")->value(), 24);
   EXPECT_EQ(control<NumberBox>("Width")->value(), 96);
 }
@@ -96,10 +96,10 @@ TEST_F(RenderPanelTest, PreviewsByF5AndFollowsEdits) {
   test::expect_lit_corner(*panel_.preview().image());
   test::expect_lit_corner(*panel_.findChild<editor::FittedImage*>()->image());
   options::RenderOptions elsewhere = options();
-  elsewhere.viewer = grf::Vec3f(1, 2, 5);
+  elsewhere.eye = grf::Vec3f(1, 2, 5);
   options_.follow(elsewhere);
   ASSERT_TRUE(QTest::qWaitFor([&] { return images.size() >= 2; }, test::Minute));
-  EXPECT_EQ(options().viewer, grf::Vec3f(1, 2, 5));
+  EXPECT_EQ(options().eye, grf::Vec3f(1, 2, 5));
   QTest::keyClick(&panel_, Qt::Key_F5);
   ASSERT_TRUE(QTest::qWaitFor([&] { return panel_.preview().is_paused(); }, test::Minute));
   EXPECT_EQ(panel_.preview_action()->text(), "Resume");
@@ -261,10 +261,10 @@ TEST_F(RenderPanelTest, ControlsAreThoseOfTheTable) {
   type("Depth", "7");
   EXPECT_EQ(options_.undo_stack().count(), 3);
   EXPECT_EQ(options().target_error, 0.025F);
-  EXPECT_EQ(options().name, "Hemisphere");
+  EXPECT_EQ(options().scheme, "Hemisphere");
   EXPECT_EQ(options().depth, 7);
   options::RenderOptions render_options;
-  render_options.name = "Reject";
+  render_options.scheme = "Reject";
   options_.follow(render_options);
   EXPECT_EQ(control<QComboBox>("Sampling scheme")->currentText(), "Reject");
   EXPECT_EQ(options_.undo_stack().count(), 3) << "not by hand";

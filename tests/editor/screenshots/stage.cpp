@@ -10,7 +10,7 @@
 #include "editor/panels/message_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/window/file_actions.h"
-#include "editor/window/render_link.h"
+#include "editor/window/render_controller.h"
 #include "tests/editor/window/window_driver.h"
 
 namespace screenshots {
@@ -40,9 +40,9 @@ QString Stage::add(const char* name, const QByteArray& bytes) const {
 
 void Stage::open(const QString& file) {
   window_->document().clear();  // avoids the question about unsaved changes
-  QSignalSpy taken(&window_->document(), &editor::Document::taken);
+  QSignalSpy replaced(&window_->document(), &editor::Document::scene_replaced);
   window_->files().open(file);
-  expect(!taken.empty() || taken.wait(Minute), file + " did not open");
+  expect(!replaced.empty() || replaced.wait(Minute), file + " did not open");
   settle();
 }
 

@@ -146,7 +146,8 @@ TEST(DisplayModes, AnEditOfSurfacesAloneIsShown) {
   ShownView shown(rich_cube(folder));
   const QImage before = grab(shown, DisplayMode::VertexColours);
   SceneObjects objects = shown.view.objects();
-  objects.meshes[0].looks[objects.meshes[0].mesh->surface_of_face->front()].colour = grf::Colour(0, 0, 1);
+  objects.meshes[0].flat_surfaces[objects.meshes[0].mesh->surface_of_face->front()].colour =
+      grf::Colour(0, 0, 1);
   shown.view.show(std::make_shared<const SceneObjects>(objects));
   ASSERT_TRUE(shown.complete());
   const QColor front = shown.view.grab().toImage().pixelColor(shown.pixel_of(Vec3d(0, 0, 1)));

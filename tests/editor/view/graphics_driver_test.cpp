@@ -43,7 +43,7 @@ QImage drawn(ShownView& shown) {
 }
 
 /// The fraction of clearly different pixels, of those that are covered in either image.
-double share_of_far_pixels(const QImage& a, const QImage& b) {
+double fraction_of_far_pixels(const QImage& a, const QImage& b) {
   int count = 0;
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) {
@@ -72,9 +72,9 @@ TEST_P(RefusedShader, IsDoneByCpp) {
                   [](const QString& text) { return text.toStdString(); },
                   testing::AllOf(testing::HasSubstr("BRDF ward"), testing::HasSubstr("on the CPU"),
                                  testing::EndsWith("error: no such thing")))));
-  EXPECT_LT(share_of_far_pixels(image, expected), 0.002);
+  EXPECT_LT(fraction_of_far_pixels(image, expected), 0.002);
   ShownView without(test::objects_of_text(test::cube_text("brdf diffuse kd=0")), seen_from_above());
-  EXPECT_GT(share_of_far_pixels(drawn(without), expected), 0.1);
+  EXPECT_GT(fraction_of_far_pixels(drawn(without), expected), 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -165,7 +165,7 @@ TEST(DriverLimits, HoldForTheWindowToo) {
   ASSERT_GT(expected.count(), 1U);
   EXPECT_EQ(selected(driver_with({320, ManyTexels}), small), expected);
   ASSERT_EQ(small.size(), image.size());
-  EXPECT_GT(share_of_far_pixels(small, image), 0.01) << "it has fewer pixels";
+  EXPECT_GT(fraction_of_far_pixels(small, image), 0.01) << "it has fewer pixels";
   for (const QPoint& place : {QPoint(350, 240), QPoint(450, 330), QPoint(400, 300)}) {
     const QColor expected_colour = image.pixelColor(place);
     const QColor colour = small.pixelColor(place);

@@ -134,7 +134,7 @@ TEST_F(LargeMesh, KeepsItsGeometryWhileSurfacesChange) {
   ASSERT_TRUE(shown.is_shown);
   SceneObjects edited = *objects_;
   edited.meshes[0].mesh.edit().surfaces[0].colour = grf::Colour(1, 0, 0);
-  edited.meshes[0].looks[0].colour = grf::Colour(1, 0, 0);
+  edited.meshes[0].flat_surfaces[0].colour = grf::Colour(1, 0, 0);
   QElapsedTimer clock;
   clock.start();
   shown.view.show(std::make_shared<const SceneObjects>(edited));

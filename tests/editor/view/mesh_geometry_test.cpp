@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "editor/view/stand_in.h"
+#include "editor/view/proxy_mesh.h"
 #include "tests/grf/height_field.h"
 
 namespace editor {
@@ -73,7 +73,7 @@ TEST(MeshGeometry, KnowsFacesOfTrianglesAndEdgesOfPolygons) {
 
 TEST(StandIn, HasAboutAsManyTrianglesAndTheSameShape) {
   const MeshGeometry geometry(grf::height_field(400));
-  const TriangleArrays quick = stand_in(geometry.arrays(), 20'000);
+  const TriangleArrays quick = make_proxy_mesh(geometry.arrays(), 20'000);
   EXPECT_GT(quick.triangles.size(), 5'000);
   EXPECT_LT(quick.triangles.size(), 30'000);
   EXPECT_EQ(quick.face_of_triangle.size(), quick.triangles.size());
@@ -86,12 +86,12 @@ TEST(StandIn, HasAboutAsManyTrianglesAndTheSameShape) {
 
 TEST(StandIn, OfASmallMeshIsTheMesh) {
   const MeshGeometry geometry(grf::height_field(10));
-  EXPECT_EQ(stand_in(geometry.arrays(), 1000).triangles, geometry.arrays().triangles);
+  EXPECT_EQ(make_proxy_mesh(geometry.arrays(), 1000).triangles, geometry.arrays().triangles);
 }
 
 TEST(StandIn, ThinningTakesEveryNthTriangle) {
   const MeshGeometry geometry(grf::height_field(101));
-  const TriangleArrays thin = thinned(geometry.arrays(), 1000);
+  const TriangleArrays thin = subsampled(geometry.arrays(), 1000);
   EXPECT_EQ(thin.triangles.size(), 1000);
   EXPECT_EQ(thin.face_of_triangle[7], 140);
 }

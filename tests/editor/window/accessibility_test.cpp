@@ -37,7 +37,7 @@
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
-#include "editor/window/render_link.h"
+#include "editor/window/render_controller.h"
 #include "editor/window/source_view.h"
 #include "editor/window/tools.h"
 #include "grf/read.h"
@@ -396,9 +396,9 @@ class TabOrder : public Accessibility {
   }
 
   void open() {
-    QSignalSpy taken(&window_.document(), &Document::taken);
+    QSignalSpy replaced(&window_.document(), &Document::scene_replaced);
     window_.files().open(QString::fromStdString(folder_.add("rows.grf", ManyRows)));
-    if (taken.empty() && !taken.wait(60'000)) throw std::runtime_error("the scene cannot be read");
+    if (replaced.empty() && !replaced.wait(60'000)) throw std::runtime_error("the scene cannot be read");
   }
 
   void select_face(std::uint32_t face) {

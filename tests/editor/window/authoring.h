@@ -26,9 +26,9 @@ class Authoring : public testing::Test {
   QString path(const std::string& name) const { return QString::fromStdString(folder_.path(name)); }
 
   void open(const QString& file) {
-    QSignalSpy taken(&document(), &Document::taken);
+    QSignalSpy replaced(&document(), &Document::scene_replaced);
     window_.files().open(file);
-    ASSERT_TRUE(!taken.empty() || taken.wait(test::Minute));
+    ASSERT_TRUE(!replaced.empty() || replaced.wait(test::Minute));
     ASSERT_TRUE(QTest::qWaitFor([this] { return window_.view().is_complete(); }, test::Minute));
   }
 

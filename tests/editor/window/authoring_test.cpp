@@ -27,13 +27,13 @@
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
-#include "editor/window/render_link.h"
+#include "editor/window/render_controller.h"
 #include "grf/read.h"
 #include "renderer/options/op_file.h"
 #include "tests/cli/grfconvert.h"
 #include "tests/editor/window/window_driver.h"
+#include "tests/support/camera_image.h"
 #include "tests/support/paths.h"
-#include "tests/support/picture.h"
 
 namespace editor {
 namespace {
@@ -189,7 +189,7 @@ TEST_F(Authoring, GoesFromASceneToAnImage) {
   options::RenderOptions small = document().options().valid_options();
   small.size = {96, 72};
   small.samples = 4;
-  small.viewer = grf::Vec3f(278, 273, -800);
+  small.eye = grf::Vec3f(278, 273, -800);
   small.target = grf::Vec3f(278, 273, 0);
   small.field_of_view = 39.3076F;
   document().options().set_options("Change render options", small);
@@ -234,7 +234,7 @@ TEST_F(Authoring, WritesAnOpFileByTheGenerator) {
   open(path("box.grf"));
   ASSERT_EQ(document().options().valid_options().depth, 3);
   window_.render_panel().options_action()->trigger();
-  OptionsWindow* generator = window_.render_link().options_window();
+  OptionsWindow* generator = window_.render_controller().options_window();
   ASSERT_NE(generator, nullptr);
   OpDocument& text = generator->editor().document();
   text.set_plain_text("# mine\nBPT_Scene box.grf\nBPT_Depth 7 # few\n");
@@ -256,7 +256,7 @@ TEST_F(Authoring, ShowsTheOptionsOfTheSceneInTheGenerator) {
   }
   open(path("one.grf"));
   window_.render_panel().options_action()->trigger();
-  OpDocument& text = window_.render_link().options_window()->editor().document();
+  OpDocument& text = window_.render_controller().options_window()->editor().document();
   options::RenderOptions now = document().options().valid_options();
   now.samples = 12;
   document().options().set_options("In the dock", now);
@@ -270,7 +270,7 @@ TEST_F(Authoring, ShowsTheOptionsOfTheSceneInTheGenerator) {
   document().undo_stack().undo();
   open(path("two.grf"));
   EXPECT_EQ(text.valid_options().depth, 9);
-  window_.render_link().options_window()->close();
+  window_.render_controller().options_window()->close();
 }
 
 TEST_F(Authoring, ListsWhatIsWrongWithAFileThatIsNotOpened) {

@@ -45,9 +45,9 @@ class Responsiveness : public testing::Test {
   }
 
   void open() {
-    QSignalSpy taken(&document(), &Document::taken);
+    QSignalSpy replaced(&document(), &Document::scene_replaced);
     window_.files().open(file_);
-    EXPECT_TRUE(!taken.empty() || taken.wait(Minute));
+    EXPECT_TRUE(!replaced.empty() || replaced.wait(Minute));
   }
 
   Document& document() { return window_.document(); }

@@ -1,0 +1,263 @@
+#include "converters/brdf_lobes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "grf/keywords.h"
+
+namespace convert {
+
+using grf::Vec3d;
+
+/// The arguments of a model, with the defaults and aliases of MODELS.md, which a test compares.
+class BrdfArguments {
+ public:
+  explicit BrdfArguments(const grf::BrdfModel& brdf) : brdf_(brdf) {}
+
+  double number(std::initializer_list<std::string_view> names, double otherwise) const {
+    const grf::Value* value = find(names);
+    const float* number = value == nullptr ? nullptr : std::get_if<float>(value);
+    return number == nullptr ? otherwise : static_cast<double>(*number);
+  }
+  Vec3d colour(std::initializer_list<std::string_view> names, double otherwise) const {
+    const grf::Value* value = find(names);
+    const auto* colour = value == nullptr ? nullptr : std::get_if<grf::Colour>(value);
+    return colour == nullptr ? Vec3d(number(names, otherwise)) : Vec3d(*colour);
+  }
+  bool flag(std::string_view name) const {
+    const grf::Value* value = find({name});
+    const bool* flag = value == nullptr ? nullptr : std::get_if<bool>(value);
+    return flag == nullptr ? number({name}, 0) != 0 : *flag;
+  }
+  /// Fresnel's reflectance at normal incidence; an index of 0 is a perfect conductor.
+  double fresnel(double default_real) const {
+    const double n = number({"nreal"}, default_real);
+    const double k = number({"nimag"}, 0);
+    if (n == 0) return 1;
+    return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
+  }
+
+ private:
+  const grf::Value* find(std::initializer_list<std::string_view> names) const {
+    for (const grf::Argument& argument : brdf_.arguments) {
+      const auto is_called = [&](std::string_view name) { return grf::same_keyword(argument.name, name); };
+      if (std::any_of(names.begin(), names.end(), is_called)) return &argument.value;
+    }
+    return nullptr;
+  }
+
+  const grf::BrdfModel& brdf_;
+};
+
+namespace {
+
+using Arguments = BrdfArguments;
+
+constexpr double Mirror = std::numeric_limits<double>::infinity();
+const BrdfLobes Unknown = {Vec3d(0.5), Vec3d(0), 0};
+
+double mean(double a, double b) { return std::sqrt(std::max(a, 0.0) * std::max(b, 0.0)); }
+double strength(const Vec3d& v) { return v.x + v.y + v.z; }
+
+/// Converts a Phong exponent, about the mirror direction, to a Blinn-Phong exponent.
+double to_blinn_phong_exponent(double exponent) { return 4 * exponent; }
+
+BrdfLobes diffuse(const Vec3d& albedo) { return {albedo, Vec3d(0), 0}; }
+
+// The lobe is not normalised: the factor is its albedo at normal incidence.
+BrdfLobes phong(const Arguments& a) {
+  const double n = a.number({"n"}, 100);
+  return {a.colour({"kd"}, 0.6), a.colour({"ks"}, 0.4) * (2 * std::numbers::pi / (n + 2)),
+          to_blinn_phong_exponent(n)};
+}
+
+BrdfLobes blinn(const Arguments& a) {
+  const double n = a.number({"n"}, 100);
+  const double fraction = 8 * std::numbers::pi * (n + std::exp2(-n / 2)) / ((n + 2) * (n + 4));
+  return {a.colour({"kd"}, 0.6), a.colour({"ks"}, 0.4) * fraction, n};
+}
+
+BrdfLobes lewis(const Arguments& a) {
+  return {a.colour({"kd"}, 0.6), a.colour({"ks"}, 0.4), to_blinn_phong_exponent(a.number({"n"}, 100))};
+}
+
+BrdfLobes lafortune(const Arguments& a) {
+  const double n = a.number({"n"}, 20);
+  const double fraction = 2 * std::numbers::pi * std::pow(std::max(a.number({"Cz"}, 1), 0.0), n) / (n + 2);
+  return {a.colour({"kp", "kd"}, 0.5), Vec3d(fraction), to_blinn_phong_exponent(n)};
+}
+
+BrdfLobes ward(const Arguments& a) {
+  const double sx = a.number({"sx"}, 0.2);
+  return {a.colour({"kd"}, 0.5), a.colour({"ks"}, 0.5), exponent_of(mean(sx, a.number({"sy"}, sx)))};
+}
+
+BrdfLobes torrance(const Arguments& a) {
+  return {a.colour({"kd"}, 0.3), a.colour({"ks"}, 0.7) * a.fresnel(1.5),
+          exponent_of(a.number({"rough", "m"}, 0.35))};
+}
+
+BrdfLobes ashikhmin(const Arguments& a) {
+  const double ex = a.number({"ex", "nu"}, 25);
+  const Vec3d facet = a.colour({"Rs", "ks"}, 0.39);
+  return {a.colour({"Rd", "kd"}, 0.6) * (Vec3d(1) - facet), facet, mean(ex, a.number({"ey", "nv"}, ex))};
+}
+
+BrdfLobes coupled(const Arguments& a) {
+  const Vec3d polish = a.colour({"R0", "Ro"}, 0.05);
+  return {a.colour({"Rm"}, 0.5) * (Vec3d(1) - polish), polish, Mirror};
+}
+
+// The microfacet distribution is GGX with alpha^2 = Sr.
+BrdfLobes schlick(const Arguments& a) {
+  const Vec3d outer = a.colour({"SC"}, 0.7);
+  const Vec3d below = a.flag("Ly") ? a.colour({"DC"}, 0.5) * (Vec3d(1) - outer) : Vec3d(0);
+  return {below, outer, exponent_of(std::sqrt(a.number({"Sr"}, 0.31)))};
+}
+
+BrdfLobes strauss(const Arguments& a) {
+  const double s = a.number({"s"}, 0.5);
+  const double m = a.number({"m"}, 0);
+  const Vec3d kd = a.colour({"kd"}, 0.5);
+  const double most = std::max({kd.x, kd.y, kd.z});
+  const Vec3d tint = most > 0 ? Vec3d(1) + (kd / most - Vec3d(1)) * m : Vec3d(1);
+  const double smooth = s * s * s;
+  return {kd * ((1 - m * s) * (1 - smooth)), a.colour({"ks"}, 0.5) * tint * smooth,
+          to_blinn_phong_exponent(3 / std::max(1 - s, 3e-5))};
+}
+
+// The mean of sin^2 is r^2/2 over the disc, and 2/(n + 2) over a Phong lobe.
+BrdfLobes neumann(const Arguments& a) {
+  const double r = a.number({"r"}, 0.2);
+  const double square = std::max(r * a.number({"ry"}, r), 1e-12);
+  return {a.colour({"kd"}, 0), a.colour({"ks"}, 1), to_blinn_phong_exponent(4 / square - 2)};
+}
+
+BrdfLobes beardmaxwell(const Arguments& a) {
+  return {a.colour({"Rd"}, 0.3) + a.colour({"Rv"}, 0.1), a.colour({"Rs"}, 1) * a.fresnel(1.65),
+          exponent_of(a.number({"sigma"}, 0.3))};
+}
+
+BrdfLobes kajiya(const Arguments& a) {
+  const double length = mean(a.number({"taux"}, 1), a.number({"tauy"}, 4));
+  return {a.colour({"kd"}, 0), a.colour({"ks"}, 1) * a.fresnel(0),
+          exponent_of(2 * a.number({"sigma"}, 0.2) / length)};
+}
+
+BrdfLobes wave(const Arguments& a) {
+  return {a.colour({"kd"}, 0), a.colour({"ks"}, 1) * a.fresnel(0),
+          exponent_of(2 * a.number({"sigma"}, 0.2) / a.number({"tau"}, 2))};
+}
+
+// Single scattering at normal incidence that leaves the layer by refraction: half the integral of c/(1 + c)
+// over the cosines c inside the critical angle, with the depth of the layer and its phase function.
+BrdfLobes hanrahan(const Arguments& a) {
+  const double n = std::max(a.number({"nreal"}, 1.4), 1.0);
+  const double g = a.number({"g"}, 0.25);
+  const double critical = std::sqrt(1 - 1 / (n * n));
+  const double isotropic = (1 - critical - std::log(2 / (1 + critical))) / 2;
+  const double backwards = (1 - g) / ((1 + g) * (1 + g));
+  const double kept = -std::expm1(-2 * a.number({"depth"}, 10));
+  const double facet = a.fresnel(1.4);
+  const Vec3d scattered = a.colour({"albedo"}, 0.8) * (isotropic * backwards * kept);
+  return {(a.colour({"kd"}, 0.2) + scattered) * ((1 - facet) * (1 - facet)), a.colour({"ks"}, 1) * facet,
+          exponent_of(a.number({"rough"}, 0.3))};
+}
+
+// Light transmitted by the film is reflected at its base, and spread by refraction as it leaves.
+BrdfLobes granier(const Arguments& a) {
+  const Vec3d n = a.colour({"nreal"}, 1.51);
+  const Vec3d root = (n - Vec3d(1)) / (n + Vec3d(1));
+  const Vec3d film = root * root;
+  const Vec3d outer = a.colour({"ks"}, 1) * film;
+  const Vec3d inner = a.colour({"kt"}, 0.8) * (Vec3d(1) - film) * (Vec3d(1) - film);
+  const bool inner_is_stronger = strength(inner) > strength(outer);
+  return {a.colour({"kd"}, 0), outer + inner,
+          inner_is_stronger ? a.number({"m"}, 20) / (n.y * n.y) : a.number({"n"}, 100)};
+}
+
+BrdfLobes poulin(const Arguments& a) {
+  return {a.colour({"kd"}, 0.5), a.colour({"ks"}, 0.5), a.number({"n"}, 50)};
+}
+
+constexpr std::array<BrdfRule, 22> BrdfRules = {{
+    {"diffuse", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
+    {"minnaert", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
+    {"oren", "r", "", "", [](const Arguments& a) { return diffuse(a.colour({"r"}, 0.5)); }},
+    {"specular", "", "ks", "infinite",
+     [](const Arguments& a) {
+       return BrdfLobes{Vec3d(0), a.colour({"ks"}, 1), Mirror};
+     }},
+    {"coupled", "Rm (1 - R0)", "R0", "infinite", coupled},
+    {"lewis", "kd", "ks", "4 n", lewis},
+    {"phong", "kd", "ks 2 pi/(n + 2), as its lobe is not normalised", "4 n", phong},
+    {"blinn", "kd", "ks 8 pi (n + 2^(-n/2))/((n + 2) (n + 4)), for the same reason", "n", blinn},
+    {"lafortune", "kp", "Cz^n 2 pi/(n + 2)", "4 n", lafortune},
+    {"ward", "kd", "ks", "2/(sx sy) - 2", ward},
+    {"torrance", "kd", "ks F", "2/rough^2 - 2", torrance},
+    {"ashikhmin", "Rd (1 - Rs)", "Rs", "sqrt(ex ey)", ashikhmin},
+    {"schlick", "with Ly: DC (1 - SC)", "SC", "2/Sr - 2", schlick},
+    {"strauss", "kd (1 - m s) (1 - s^3)", "ks s^3, tinted by kd in proportion to m", "12/(1 - s)", strauss},
+    {"neumann", "kd", "ks", "16/(r ry) - 8", neumann},
+    {"beardmaxwell", "Rd + Rv", "Rs F", "2/sigma^2 - 2", beardmaxwell},
+    {"kajiya", "kd", "ks F", "taux tauy/(2 sigma^2) - 2", kajiya},
+    {"hanrahan", "(kd + the single scattering part of albedo) (1 - F)^2", "ks F", "2/rough^2 - 2", hanrahan},
+    {"westin", "kd", "ks F", "tau^2/(2 sigma^2) - 2", wave},
+    {"he", "kd", "ks F", "tau^2/(2 sigma^2) - 2", wave},
+    {"granier", "kd", "ks F + kt (1 - F)^2", "m/nreal^2, or n if ks F is the larger", granier},
+    {"poulin", "kd", "ks", "n", poulin},
+}};
+
+Vec3d in_unit(const Vec3d& v) {
+  const auto clamp = [](double x) { return std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 0.0; };
+  return {clamp(v.x), clamp(v.y), clamp(v.z)};
+}
+
+}  // namespace
+
+double slope_of(double exponent) { return std::sqrt(2 / (std::max(exponent, 0.0) + 2)); }
+
+double exponent_of(double slope) { return slope > 0 ? 2 / (slope * slope) - 2 : Mirror; }
+
+BrdfLobes brdf_lobes(const grf::BrdfModel& brdf) {
+  const auto* rule = std::find_if(BrdfRules.begin(), BrdfRules.end(), [&](const BrdfRule& candidate) {
+    return grf::same_keyword(candidate.keyword, brdf.keyword);
+  });
+  if (rule == BrdfRules.end()) return Unknown;
+  const BrdfLobes lobes = rule->lobes(Arguments(brdf));
+  const double exponent = std::isnan(lobes.exponent) ? 0 : std::max(lobes.exponent, 0.0);
+  return {in_unit(lobes.diffuse), in_unit(lobes.glossy), exponent};
+}
+
+BrdfLobes sum_of_lobes(std::span<const WeightedLobes> terms) {
+  BrdfLobes total;
+  double strongest = 0;
+  for (const auto& [weight, lobes] : terms) {
+    const Vec3d glossy = lobes.glossy * weight;
+    total.diffuse += lobes.diffuse * weight;
+    total.glossy += glossy;
+    if (strength(glossy) <= strongest) continue;
+    strongest = strength(glossy);
+    total.exponent = lobes.exponent;
+  }
+  return {in_unit(total.diffuse), in_unit(total.glossy), total.exponent};
+}
+
+BrdfLobes brdf_lobes(const grf::BrdfModel& brdf, const grf::Scope& scope) {
+  if (brdf.terms.empty()) return brdf_lobes(brdf);
+  std::vector<WeightedLobes> terms;
+  for (const grf::WeightedBrdf& summand : grf::summands_of(brdf, scope)) {
+    terms.push_back({static_cast<double>(summand.weight), brdf_lobes(*summand.model)});
+  }
+  return sum_of_lobes(terms);
+}
+
+std::span<const BrdfRule> brdf_rules() { return BrdfRules; }
+
+}  // namespace convert

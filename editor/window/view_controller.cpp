@@ -1,0 +1,132 @@
+#include "editor/window/view_controller.h"
+
+#include <QDragMoveEvent>
+#include <QDropEvent>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QMouseEvent>
+#include <algorithm>
+#include <utility>
+
+#include "editor/document/brdf_mime.h"
+#include "editor/document/light_edits.h"
+#include "editor/panels/brdf_assignment.h"
+#include "editor/view/scene_view.h"
+#include "editor/window/render_controller.h"
+
+namespace editor {
+
+ViewController::ViewController(Document& document, const grf::Catalogue& catalogue, SceneView& view,
+                               RenderController& render, QObject* parent)
+    : QObject(parent), document_(document), catalogue_(catalogue), view_(view), render_(render) {
+  view_.setAcceptDrops(true);
+  view_.installEventFilter(this);
+  connect(&document_, &Document::changed, this, [this] { view_.show(document_.shared_objects()); });
+  connect(&document_, &Document::selection_changed, this,
+          [this] { view_.set_selection(document_.selection()); });
+  connect(&view_, &SceneView::selection_made, &document_, &Document::select);
+  connect(&view_, &SceneView::object_moved, this, &ViewController::move_object);
+}
+
+std::optional<grf::Scene> ViewController::scene_with(const HandleId& object, const grf::Vec3d& position,
+                                                     grf::Diagnostics& diagnostics) const {
+  const SceneObjects& objects = document_.objects();
+  if (object.kind == HandleKind::Light) {
+    const auto light = std::ranges::find_if(
+        objects.lights, [&](const LightObject& each) { return each.path == object.path; });
+    if (light == objects.lights.end()) return std::nullopt;
+    grf::AreaLight moved = light->light;
+    moved.corner = grf::Vec3f(position * light->to_world.inverse());
+    return change_light(document_.scene(), object.path, moved, diagnostics);
+  }
+  const auto observer = std::ranges::find_if(objects.observers, [&](const ObserverObject& each) {
+    return each.path == object.path && each.number == object.number;
+  });
+  if (observer == objects.observers.end()) return std::nullopt;
+  return move_observer(document_.scene(), *observer, position, diagnostics);
+}
+
+void ViewController::move_object(const HandleId& object, const grf::Vec3d& position) {
+  if (object.kind == HandleKind::CameraEye || object.kind == HandleKind::CameraTarget) {
+    transport::View camera = render_.camera();
+    (object.kind == HandleKind::CameraEye ? camera.eye : camera.target) = position;
+    if (camera.eye != camera.target) render_.move_camera(camera);
+    return;
+  }
+  grf::Diagnostics diagnostics;
+  auto scene = scene_with(object, position, diagnostics);
+  if (scene) {
+    document_.replace(object.kind == HandleKind::Light ? tr("Move the light") : tr("Move the observer"),
+                      std::move(*scene));
+  } else if (diagnostics.error_count() > 0) {
+    emit failed(QString::fromStdString(diagnostics.to_text()));
+  }
+}
+
+void ViewController::pick_face(const std::function<void(FaceId)>& picked) {
+  picked_ = picked;
+  view_.setCursor(Qt::CrossCursor);
+  view_.setFocus();
+  emit status_message(tr("Click the face to copy the surface from, or press Escape to cancel"));
+}
+
+void ViewController::end_picking() {
+  picked_ = {};
+  view_.unsetCursor();
+  emit status_message({});
+}
+
+bool ViewController::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::DragEnter:
+    case QEvent::DragMove: {
+      auto& drag = static_cast<QDragMoveEvent&>(*event);
+      if (!drag.mimeData()->hasFormat(BrdfMimeType)) return false;
+      const bool is_over_face = view_.face_at(drag.position()).has_value();
+      // Qt ignores a drag whose enter event was rejected.
+      drag.setAccepted(is_over_face || event->type() == QEvent::DragEnter);
+      return true;
+    }
+    case QEvent::Drop:
+      return drop(static_cast<QDropEvent&>(*event));
+    case QEvent::MouseButtonPress: {
+      const auto& press = static_cast<QMouseEvent&>(*event);
+      if (!picked_ || press.button() != Qt::LeftButton) return false;
+      const auto picked = std::exchange(picked_, {});
+      const std::optional<FaceId> face = view_.face_at(press.position());
+      end_picking();
+      if (face) picked(*face);
+      return true;
+    }
+    case QEvent::KeyPress:
+      if (!picked_ || static_cast<QKeyEvent&>(*event).key() != Qt::Key_Escape) return false;
+      end_picking();
+      return true;
+    default:
+      return QObject::eventFilter(watched, event);
+  }
+}
+
+/// Assigns to all selected faces if one of them is hit, else only to the face.
+bool ViewController::drop(QDropEvent& event) {
+  if (!event.mimeData()->hasFormat(BrdfMimeType)) return false;
+  const std::optional<FaceId> face = view_.face_at(event.position());
+  if (!face) return true;
+  if (!document_.selection().has(*face)) {
+    FaceSelection only(document_.objects());
+    only.set(*face);
+    document_.select(std::move(only));
+  }
+  grf::Diagnostics diagnostics;
+  if (!assign_brdf(document_, catalogue_, *event.mimeData(), diagnostics)) {
+    emit failed(QString::fromStdString(diagnostics.to_text()));
+  }
+  event.acceptProposedAction();
+  return true;
+}
+
+void ViewController::add_observer() {
+  document_.replace(tr("Add an observer"), editor::add_observer(document_.scene(), view_.camera().eye()));
+}
+
+}  // namespace editor
