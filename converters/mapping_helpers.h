@@ -1,4 +1,4 @@
-// Functions that the mappings of all families of materials share.
+// The mappings of all families of materials share these functions.
 #pragma once
 
 #include <string>

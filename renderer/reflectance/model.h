@@ -1,4 +1,4 @@
-// The parts that every BRDF model consists of. A model is a pair of files: `ward.glsl` has its formula,
+// Every BRDF model consists of the parts below. A model is a pair of files: `ward.glsl` has its formula,
 // written once for GLSL and C++, and `ward.h` a struct like this:
 //
 //   struct Ward {
