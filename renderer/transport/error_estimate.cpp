@@ -22,9 +22,9 @@ constexpr double NormalQuantile = 1.96;
 constexpr double UncertainPart = 0.5;
 /// The degrees of freedom that an error spread over few pixels loses: pixels that are noisy by chance are
 /// mistaken for noisy ones. Measured.
-constexpr double LostFreedom = 4.2;
+constexpr double LostFreedom = 1.5;
 /// The fraction of the deviation that counts downwards: noise seldom overstates the error. Measured.
-constexpr double LowerDeviation = 0.81;
+constexpr double LowerDeviation = 0.82;
 
 /// How much larger the pixels' contrast must be than the difference of the halves not to be noise.
 constexpr double ContrastOverNoise = 1.5;
@@ -41,7 +41,7 @@ constexpr double LoneContrast = 2;
 constexpr double OutlierPixelsBefore = 5;
 constexpr double OutlierAgreementBefore = 0.12;
 /// The number of standard deviations by which the outliers' agreement may be off.
-constexpr double LoneQuantile = 1.1;
+constexpr double LoneQuantile = 0.9;
 /// The agreement above which an outlier may be an object that every sample hits.
 constexpr double SteadyAgreement = 0.9;
 
@@ -51,15 +51,15 @@ constexpr double BrightSide = 0.7;
 constexpr double Balance = 0.5;
 
 /// The least variance of edge pixels with well-distributed samples, as a fraction of the binomial variance.
-constexpr double BinomialPart = 0.4;
+constexpr double BinomialPart = 0.3;
 
 // Measured, as UncertainPart was.
-constexpr double UncertaintyPart = 0.45;  ///< of second-order errors, from the bias of the denominators
-constexpr double OutlierUncertaintyPart = 0.45;  ///< the same, of the outliers' errors
-constexpr double TailGrowth = 0.65;              ///< with the logarithm of the number of touched pixels
-constexpr double TailBound = 1600;               ///< of the squared relative error of the least touched pixel
-constexpr double UnseenPart = 0.4;               ///< of the error of pixels without hits, in most images
-constexpr double TouchedPart = 0.88;             ///< of the touched pixels' errors, which may be missing
+constexpr double UncertaintyPart = 0.45;        ///< of second-order errors, from the bias of the denominators
+constexpr double OutlierUncertaintyPart = 0.2;  ///< the same, of the outliers' errors
+constexpr double TailGrowth = 0.65;             ///< with the logarithm of the number of touched pixels
+constexpr double TailBound = 1200;              ///< of the squared relative error of the least touched pixel
+constexpr double UnseenPart = 0.35;             ///< of the error of pixels without hits, in most images
+constexpr double TouchedPart = 0.88;            ///< of the touched pixels' errors, which may be missing
 
 /// Statistics of values around a pixel.
 struct Neighbours {
