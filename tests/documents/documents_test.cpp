@@ -238,7 +238,7 @@ std::string scheme_section(const grf::ModelInfo& info) {
 std::string schemes() {
   std::string text;
   for (const grf::ModelInfo& info : reflectance::scheme_infos()) {
-    text += fmt::format("{}[{}](#{}-{})", text.empty() ? "" : ",\n", info.keyword, info.keyword,
+    text += fmt::format("{}[{}](#{}-{})", text.empty() ? "" : ",\n", info.keyword, anchor_of(info.keyword),
                         anchor_of(info.title));
   }
   text += ".\n";
