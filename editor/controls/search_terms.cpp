@@ -1,6 +1,5 @@
 #include "editor/controls/search_terms.h"
 
-#include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
 
@@ -56,9 +55,10 @@ constexpr SearchTerm Terms[] = {
 constexpr qsizetype LeastLetters = 3;  ///< of a synonym, before it counts
 
 bool begins_word_of(const QString& text, const QString& beginning) {
-  const QRegularExpression word("\\b" + QRegularExpression::escape(beginning),
-                                QRegularExpression::CaseInsensitiveOption);
-  return text.contains(word);
+  for (qsizetype at = 0; (at = text.indexOf(beginning, at, Qt::CaseInsensitive)) >= 0; ++at) {
+    if (at == 0 || !(text[at - 1].isLetterOrNumber() || text[at - 1] == '_')) return true;
+  }
+  return false;
 }
 
 bool matches_word(const QString& text, const QString& word) {
