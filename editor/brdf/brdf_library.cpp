@@ -266,7 +266,7 @@ void BrdfLibrary::filter() {
   QString text;
   if (shown == 0) text = word.isEmpty() ? "No BRDFs yet." : QString("No BRDF matches '%1'.").arg(word);
   for (const QString& problem : problems_) text += (text.isEmpty() ? "" : "\n") + problem;
-  show_problem(message_, text);
+  show_or_hide(message_, text);
   show_state();
 }
 
@@ -329,7 +329,7 @@ void BrdfLibrary::choose_folder() {
 }
 
 void BrdfLibrary::fail(const QString& problem) {
-  show_problem(message_, problem);
+  show_or_hide(message_, problem);
   emit failed(problem);
 }
 

@@ -271,7 +271,7 @@ void BrdfPlots::draw_lobes() {
 
 void BrdfPlots::show_words(const QString& text, bool is_warning) {
   words_->set_colour(is_warning ? &ThemeColours::warning : &ThemeColours::faint_text);
-  show_problem(words_, text);
+  show_or_hide(words_, text);
 }
 
 QString BrdfPlots::export_to(const QString& path) {

@@ -41,6 +41,10 @@ grf::Scene scene_of(const grf::BrdfModel& model, const Definitions& definitions)
   return scene;
 }
 
+void enter(grf::ScopeStack& stack, const Definitions& definitions) {
+  for (const grf::Definition& one : definitions) stack.enter(one);
+}
+
 bool is_right(const grf::BrdfModel& model, const Definitions& definitions, grf::Diagnostics& diagnostics) {
   return grf::check(scene_of(model, definitions), catalogue(), diagnostics);
 }
@@ -72,7 +76,7 @@ CompiledBrdf compile_brdf(const grf::BrdfModel& model, const Definitions& defini
   CompiledBrdf made;
   if (is_right(model, definitions, diagnostics)) {
     grf::ScopeStack stack;
-    for (const grf::Definition& one : definitions) stack.enter(one);
+    enter(stack, definitions);
     auto brdf = reflectance::BrdfMaker(diagnostics).make(model, stack.scope());
     if (brdf) made.brdf = std::make_shared<const reflectance::Brdf>(*std::move(brdf));
   }
@@ -84,7 +88,7 @@ bool reads_data(const grf::BrdfModel& model, const Definitions& definitions) {
   grf::Diagnostics ignored_diagnostics;
   reflectance::BrdfMaker maker(ignored_diagnostics);
   grf::ScopeStack stack;
-  for (const grf::Definition& one : definitions) stack.enter(one);
+  enter(stack, definitions);
   const auto leaves = maker.models_of(model, stack.scope());
   return std::ranges::any_of(leaves, [](const grf::BrdfModel* leaf) { return !leaf->data_file.empty(); });
 }

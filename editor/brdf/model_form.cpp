@@ -170,7 +170,7 @@ void BrdfForm::refresh_chooser() {
                                            : unknown.isEmpty() ? "mixed"
                                                                : unknown + " (unknown)");
   const QString paper = info_ != nullptr ? text_of(info_->paper) : QString();
-  show_problem(paper_, paper);
+  show_or_hide(paper_, paper);
   QString hint;
   if (models_.empty())
     hint = "Select faces to see and edit their BRDF.";
@@ -180,7 +180,7 @@ void BrdfForm::refresh_chooser() {
     hint = "The faces have different models. Choose one here to assign it to all.";
   else if (info_->parameters.empty() && info_->argument_kind == grf::ModelInfo::ArgumentKind::Parameters)
     hint = "This model has no parameters.";
-  show_problem(hint_, hint);
+  show_or_hide(hint_, hint);
 }
 
 void BrdfForm::refresh_rows() {
@@ -212,7 +212,7 @@ void BrdfForm::check_models() {
     }
   }
   parameters_->show_errors(errors_);
-  show_problem(message_, QStringList(errors_.begin(), errors_.end()).join('\n'));
+  show_or_hide(message_, QStringList(errors_.begin(), errors_.end()).join('\n'));
 }
 
 void BrdfForm::focusInEvent(QFocusEvent* event) { chooser_->setFocus(event->reason()); }

@@ -14,7 +14,7 @@ class PictureTiles : public QStyledItemDelegate {
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
-  /// As wide as the list's grid, if it has one, so that names have all of its width.
+  /// Returns a size as wide as the list's grid, if it has one, so that names have all of its width.
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
  protected:

@@ -63,9 +63,9 @@ QLabel* problem_label(QWidget* parent) {
   return label;
 }
 
-void show_problem(QLabel* label, const QString& problem) {
-  label->setText(problem);
-  label->setVisible(!problem.isEmpty());
+void show_or_hide(QLabel* label, const QString& text) {
+  label->setText(text);
+  label->setVisible(!text.isEmpty());
 }
 
 NumberBox* number_box(const NumberInfo& info, QWidget* parent) {

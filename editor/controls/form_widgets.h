@@ -51,7 +51,8 @@ class ThemedLabel : public QLabel {
 
 /// A label in the error colour that is hidden while it is empty.
 QLabel* problem_label(QWidget* parent);
-void show_problem(QLabel* label, const QString& problem);
+/// Shows a text in a label, which is hidden while it has none.
+void show_or_hide(QLabel* label, const QString& text);
 
 /// Name, help, range and unit of a number field.
 struct NumberInfo {

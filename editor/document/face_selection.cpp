@@ -130,7 +130,11 @@ void FaceSelection::set(FaceId face, bool is_selected) {
 }
 
 void FaceSelection::set_mesh(std::uint32_t mesh, bool is_selected) {
-  is_selected ? faces_[mesh].set() : faces_[mesh].reset();
+  if (is_selected) {
+    faces_[mesh].set();
+  } else {
+    faces_[mesh].reset();
+  }
   count_faces(mesh);
 }
 

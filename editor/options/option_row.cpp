@@ -82,7 +82,7 @@ void OptionRow::show_state(const options::RenderOptions& partial) {
 void OptionRow::show_message(const QString& message, bool is_error) {
   has_error_ = is_error;
   message_->set_colour(is_error ? &ThemeColours::error : &ThemeColours::faint_text);
-  show_problem(message_, message);
+  show_or_hide(message_, message);
   update();
 }
 

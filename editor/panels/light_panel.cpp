@@ -212,7 +212,7 @@ void LightPanel::show_lights() {
 void LightPanel::show_chosen() {
   const LightObject* light = chosen_light();
   const Emitter* emitter = chosen_emitter();
-  show_problem(problem_, {});
+  show_or_hide(problem_, {});
   enable(remove_, tr("Delete the light"),
          light == nullptr ? tr("Select a light first; emission of faces is edited in the Surface dock.")
                           : QString());
@@ -263,7 +263,7 @@ void LightPanel::change(const QString& text, const grf::AreaLight& light, const 
   if (scene) {
     document_.replace(text, std::move(*scene), key);
   } else {
-    show_problem(problem_, QString::fromStdString(diagnostics.entries().front().message));
+    show_or_hide(problem_, QString::fromStdString(diagnostics.entries().front().message));
   }
 }
 

@@ -4,7 +4,6 @@
 #include <QFontDatabase>
 #include <QPainter>
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "editor/appearance/icons.h"
@@ -22,11 +21,10 @@ struct SeverityStyle {
   QColor ThemeColours::*colour;
 };
 
-const SeverityStyle& style_of(grf::Severity severity) {
-  static constexpr std::array<SeverityStyle, 3> Styles = {{{"note", &ThemeColours::faint_text},
-                                                           {"warning", &ThemeColours::warning},
-                                                           {"error", &ThemeColours::error}}};
-  return Styles[static_cast<std::size_t>(severity)];
+SeverityStyle style_of(grf::Severity severity) {
+  if (severity == grf::Severity::Error) return {"error", &ThemeColours::error};
+  if (severity == grf::Severity::Warning) return {"warning", &ThemeColours::warning};
+  return {"note", &ThemeColours::faint_text};
 }
 
 QFont fixed_font(const QFont& like) {
@@ -77,7 +75,7 @@ const grf::Diagnostic& message_of(const QModelIndex& index) {
 }
 
 void draw_severity(QPainter& painter, grf::Severity severity, const ThemeColours& colours) {
-  const SeverityStyle& style = style_of(severity);
+  const SeverityStyle style = style_of(severity);
   const qreal ratio = painter.device()->devicePixelRatioF();
   QPixmap pixmap(QSize(IconSize, IconSize) * ratio);
   pixmap.setDevicePixelRatio(ratio);

@@ -191,7 +191,7 @@ PdfRow::PdfRow(Document& document, const grf::Catalogue& catalogue, QWidget* par
 }
 
 void PdfRow::show_summary(const SelectionSummary& summary) {
-  show_problem(problem_, {});
+  show_or_hide(problem_, {});
   fill(summary);
   const QString lit = why_not_reflecting(summary);
   enable(choice_, tr("How reflected directions are sampled; by default, with the BRDF's own scheme"), lit);
@@ -229,7 +229,7 @@ void PdfRow::fill(const SelectionSummary& summary) {
 void PdfRow::select_model(const grf::PdfModel& model) {
   grf::Diagnostics diagnostics;
   if (!grf::check(model, catalogue_.pdfs, "PDF", diagnostics)) {
-    show_problem(problem_, QString::fromStdString(diagnostics.entries().front().message));
+    show_or_hide(problem_, QString::fromStdString(diagnostics.entries().front().message));
   }
   const grf::ModelInfo* info = grf::find_model(catalogue_.pdfs, model.keyword);
   if (info == nullptr) {
@@ -277,7 +277,7 @@ void PdfRow::edit_parameters(const std::function<void(grf::Model&)>& edit, bool 
   grf::Diagnostics diagnostics;
   if (!grf::check(*model_, catalogue_.pdfs, "PDF", diagnostics)) {
     show_parameters();
-    return show_problem(problem_, QString::fromStdString(diagnostics.entries().front().message));
+    return show_or_hide(problem_, QString::fromStdString(diagnostics.entries().front().message));
   }
   SurfaceEdit parameters;
   parameters.pdf = AttributeEdit<grf::PdfAttribute>::set(*model_);

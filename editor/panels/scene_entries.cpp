@@ -184,7 +184,10 @@ class Builder {
 
 }  // namespace
 
-bool SceneEntry::is_definition() const { return kind >= Kind::Brdf; }
+bool SceneEntry::is_definition() const {
+  return kind == Kind::Brdf || kind == Kind::Pdf || kind == Kind::Colour || kind == Kind::Texture ||
+         kind == Kind::DefinedMesh;
+}
 
 bool SceneEntry::can_be_renamed() const { return is_definition() || kind == Kind::Mesh; }
 
@@ -217,11 +220,33 @@ QString contents_of(const SceneEntry& transform) {
 std::unique_ptr<SceneEntry> entries_of(const Document& document) { return Builder(document).build(); }
 
 QString icon_of(SceneEntry::Kind kind) {
-  // In the order of the kinds.
-  static constexpr std::array Icons = {"objects",   "mesh",    "light",    "light", "instance",
-                                       "transform", "include", "observer", "brdf",  "pdf",
-                                       "colour",    "texture", "mesh"};
-  return Icons[static_cast<std::size_t>(kind)];
+  switch (kind) {
+    case Kind::Group:
+      return "objects";
+    case Kind::Mesh:
+    case Kind::DefinedMesh:
+      return "mesh";
+    case Kind::MeshLight:
+    case Kind::AreaLight:
+      return "light";
+    case Kind::Instance:
+      return "instance";
+    case Kind::Transform:
+      return "transform";
+    case Kind::Include:
+      return "include";
+    case Kind::Observer:
+      return "observer";
+    case Kind::Brdf:
+      return "brdf";
+    case Kind::Pdf:
+      return "pdf";
+    case Kind::Colour:
+      return "colour";
+    case Kind::Texture:
+      return "texture";
+  }
+  return "objects";
 }
 
 }  // namespace editor

@@ -58,7 +58,7 @@ SceneTree::SceneTree(Document& document, QWidget* parent)
   make_actions();
   connect(search_, &QLineEdit::textChanged, this, &SceneTree::show_search);
   connect(model_, &SceneModel::problem_found, this,
-          [this](const QString& text) { show_problem(problem_, text); });
+          [this](const QString& text) { show_or_hide(problem_, text); });
   connect(&document_, &Document::selection_changed, this, &SceneTree::show_selection);
   connect(&document_, &Document::changed, this, &SceneTree::show_selection);
   show_selection();
@@ -153,7 +153,7 @@ void SceneTree::select_faces_of_chosen() {
   }
   const grf::ScenePath path = entries.size() == 1 ? entries.front()->path : grf::ScenePath();
   document_.select(std::move(selection));
-  show_problem(problem_, {});
+  show_or_hide(problem_, {});
   emit chosen(path);
 }
 
@@ -221,13 +221,13 @@ void SceneTree::remove_chosen() {
 void SceneTree::remove_unused() {
   grf::Scene scene = remove_unused_definitions(document_.scene());
   const bool is_unchanged = scene == document_.scene();
-  show_problem(problem_, is_unchanged ? tr("All definitions are used.") : QString());
+  show_or_hide(problem_, is_unchanged ? tr("All definitions are used.") : QString());
   if (!is_unchanged) document_.replace(tr("Delete unused definitions"), std::move(scene));
 }
 
 void SceneTree::put(const QString& text, std::optional<grf::Scene> scene,
                     const grf::Diagnostics& diagnostics) {
-  show_problem(problem_, scene ? QString() : QString::fromStdString(diagnostics.entries().front().message));
+  show_or_hide(problem_, scene ? QString() : QString::fromStdString(diagnostics.entries().front().message));
   if (scene) document_.replace(text, std::move(*scene));
 }
 

@@ -138,7 +138,7 @@ void SurfacePanel::show_selection() {
   for (SurfaceRow* row : rows_) row->show_summary(summary);
 }
 
-void SurfacePanel::report(const QString& problem) { show_problem(problem_, problem); }
+void SurfacePanel::report(const QString& problem) { show_or_hide(problem_, problem); }
 
 void SurfacePanel::take_from(FaceId face) {
   const MeshObject& from = document_.objects().meshes[face.mesh];

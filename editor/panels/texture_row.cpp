@@ -86,7 +86,7 @@ void TextureRow::show_summary(const SelectionSummary& summary) {
   preview_->show_image(image);
   QVector<QPolygonF> outlines;
   if (has_image) outlines = uv_outlines(document_.objects(), document_.selection());
-  show_problem(
+  show_or_hide(
       hint_,
       has_image && outlines.isEmpty()
           ? tr("The faces have no texture coordinates (UVs): all of them show the same point of the image.")

@@ -128,7 +128,7 @@ void SourceView::read() {
 void SourceView::show_excerpt(const SourceExcerpt& excerpt) {
   const bool is_read = excerpt.problem.isEmpty();
   const QString note = note_of(excerpt);
-  show_problem(note_, note);
+  show_or_hide(note_, note);
   if (is_read) {
     text_->show_excerpt(excerpt);
   } else {
