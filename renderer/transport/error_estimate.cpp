@@ -35,13 +35,13 @@ constexpr int LinePixels = 2;
 /// The ratio of deviation and mean above which only one half of a pixel is bright.
 constexpr double OneHalfBright = 0.7;
 /// How many times brighter an outlier is than all neighbours but one, and than the floor.
-constexpr double LoneContrast = 2;
+constexpr double OutlierContrast = 2;
 /// The prior for outliers: as if this many had been observed, whose halves agreed this much on black: where
 /// nothing else shines, no path finds light by chance.
 constexpr double OutlierPixelsBefore = 5;
 constexpr double OutlierAgreementBefore = 0.12;
 /// The number of standard deviations by which the outliers' agreement may be off.
-constexpr double LoneQuantile = 0.9;
+constexpr double OutlierQuantile = 0.9;
 /// The agreement above which an outlier may be an object that every sample hits.
 constexpr double SteadyAgreement = 0.9;
 
@@ -155,8 +155,10 @@ double likely_radiance(const PixelMoments& pixels, const PixelValue& value, cons
   double radiance = shrunk(around, visible);
   for (const Imath::V2i& step : {Imath::V2i(1, 0), Imath::V2i(0, 1)}) {
     const Neighbours line = line_through(pixels, value, step);
-    if (line.count == 0 || line.mean() < around.mean() || std::max(0.0, excess(line)) >= least) continue;
-    least = std::max(0.0, excess(line));
+    if (line.count == 0 || line.mean() < around.mean()) continue;
+    const double excess_of_line = std::max(0.0, excess(line));
+    if (excess_of_line >= least) continue;
+    least = excess_of_line;
     radiance = shrunk(line, visible_part(line, value));
   }
   return radiance;
@@ -244,7 +246,7 @@ double add_value(const PixelMoments& pixels, const PixelValue& value, const Surr
   const double mean = value.mean;
   const double variance = value.variance;
   if (around.count == 0) return variance / (mean * mean + RelmseFloor);
-  const bool is_lone = mean > LoneContrast * (around.second_brightest + std::sqrt(RelmseFloor));
+  const bool is_lone = mean > OutlierContrast * (around.second_brightest + std::sqrt(RelmseFloor));
   if (is_lone) {
     const double excess = mean - around.second_brightest;
     ++sums.outliers.count;
@@ -330,7 +332,7 @@ struct Agreement {
   /// Bounds of Wilson's interval for a proportion, which also holds for a few pixels that all agree (Wilson
   /// 1927, "Probable inference, the law of succession, and statistical inference").
   double bound(double sign) const {
-    constexpr double Squared = LoneQuantile * LoneQuantile;
+    constexpr double Squared = OutlierQuantile * OutlierQuantile;
     const double spread = std::sqrt(Squared * (mean * (1 - mean) + Squared / (4 * pixels)) / pixels);
     return std::clamp((mean + Squared / (2 * pixels) + sign * spread) / (1 + Squared / pixels), 0.0, 1.0);
   }
