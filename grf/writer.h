@@ -112,7 +112,8 @@ class Writer {
   void put_comments(const std::vector<std::string>& comments);
   void comments_before(const Comments& comments) { put_comments(comments.before); }
   void begin_line(std::string_view words) {
-    // Without a limit, a small, deeply nested file would be written as one of a thousand times the size.
+    // The indentation is limited: else a small, deeply nested file would be written a thousand times as
+    // large.
     constexpr std::size_t Deepest = 32;
     text_.append(2 * std::min(indentation_, Deepest), ' ');
     text_ += words;

@@ -74,7 +74,7 @@ class OpDocument : public QObject {
   /// Sets the options that differ from `valid_options`. Steps with the same key are merged, likewise; an
   /// empty key never merges.
   void set_options(const QString& title, const options::RenderOptions& wanted, const QString& key = {});
-  /// The same without an undo step, for changes that follow another one, such as of the camera.
+  /// Sets the options without an undo step, for changes that follow another one, such as of the camera.
   void follow(const options::RenderOptions& wanted);
   void finish_step() { ++step_; }
 

@@ -30,7 +30,7 @@ using ArrivingIrradiance = std::function<std::optional<grf::VertexIrradiance>(
 /// Includes are kept, each with its own contents.
 BakedScene with_irradiance(grf::Scene scene, const ArrivingIrradiance& arriving);
 
-/// The same for a flat scene (`grf::flatten`) and a finished bake of it.
+/// Returns a flat scene (`grf::flatten`) with the irradiance of its finished bake.
 BakedScene with_irradiance(grf::Scene scene, const Bake& bake);
 
 /// Returns false after an error if the copies that `with_irradiance` would make have more vertices in total

@@ -53,7 +53,7 @@ const ImageFormat* image_format_of(const std::string& path, grf::Diagnostics& di
 /// Replaces the file with the image, or leaves it unchanged and reports why.
 bool write_image(const ImageFile& file, const std::string& path, grf::Diagnostics& diagnostics);
 
-/// The same for an image that must not be lost. If that fails, as on a full disk, the image is written to a
+/// Writes an image that must not be lost. If that fails, as on a full disk, the image is written to a
 /// new folder in the first of `fallbacks` that accepts it, a note says where, and false is returned all the
 /// same.
 bool keep_image(const ImageFile& file, const std::string& path, const std::vector<std::string>& fallbacks,

@@ -39,7 +39,7 @@ class EnvironmentMap {
   /// The solid-angle pdf of `sample`.
   float pdf(const grf::Vec3f& direction) const;
 
-  /// The same for a surface with this unit normal: nearly proportional to the cosine as well.
+  /// Samples the map for a surface with this unit normal: nearly proportional to the cosine as well.
   std::optional<EnvironmentSample> sample(const grf::Vec3f& normal, const grf::Vec2f& xi) const;
   float pdf(const grf::Vec3f& normal, const grf::Vec3f& direction) const {
     return radiance_and_pdf(normal, direction).pdf;

@@ -32,7 +32,7 @@ LightBounds bounds_of(const Emitter& emitter);
 /// as in the paper, to the radius: under a ceiling of 1000 lamps that leaves a tenth of the variance.
 float importance(const LightBounds& bounds, const Vec3f& from, const Vec3f& normal);
 
-/// The same for a single emitter: 0 from behind it, and if it lies below the receiver's horizon.
+/// Returns this estimate for a single emitter: 0 from behind it, and if it lies below the receiver's horizon.
 float importance(const Emitter& emitter, const Vec3f& from, const Vec3f& normal);
 
 /// Whether the emitter faces the point and some of it is above the horizon.

@@ -19,7 +19,7 @@ struct CompiledSurface {
   bool is_anisotropic = false;
   /// False if it reflects nothing to paths that were scattered before, except by specular reflection.
   bool interreflects = true;
-  /// Without uv, the tangent is the cross product of this axis and the normal: the y axis of the object,
+  /// The tangent without uv is the cross product of this axis and the normal: the y axis of the object,
   /// transformed as normals are, so that tangents follow the parallels of a globe.
   Vec3f axis = Vec3f(0, 1, 0);
 

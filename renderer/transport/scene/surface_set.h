@@ -30,7 +30,7 @@ class SurfaceSetBuilder {
   /// Returns the index of the first surface of a mesh; the others follow in the mesh's order. For `axis` see
   /// CompiledSurface.
   std::uint32_t add(const grf::Mesh& mesh, const grf::Scope& scope, const Vec3f& axis);
-  /// The same for a mesh light, whose colour is its emission.
+  /// Returns the index of the first surface of a mesh light, whose colours are its emission.
   std::uint32_t add_light(const grf::Mesh& mesh, const grf::Scope& scope);
   std::uint32_t add_light(const Rgb& radiance);
 

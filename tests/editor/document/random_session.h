@@ -1,4 +1,4 @@
-// What random operations on a document share: the document with its model of plain values, and the choices.
+// Random operations on a document share this session: the document, its model of plain values, the choices.
 #pragma once
 
 #include <algorithm>
