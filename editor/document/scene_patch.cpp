@@ -31,12 +31,12 @@ grf::Block head_of(const grf::Block& block) {
 
 /// The differing middle between the common beginning and end of two lists.
 template <class Part, class Item>
-Part list_part(grf::ScenePath path, const std::vector<Item>& before, const std::vector<Item>& after) {
+Part list_part(const grf::ScenePath& path, const std::vector<Item>& before, const std::vector<Item>& after) {
   const auto [first, first_after] = std::mismatch(before.begin(), before.end(), after.begin(), after.end());
   const auto last = std::mismatch(before.rbegin(), std::make_reverse_iterator(first), after.rbegin(),
                                   std::make_reverse_iterator(first_after));
   Part part;
-  part.path = std::move(path);
+  part.path = path;
   part.first = static_cast<std::size_t>(first - before.begin());
   part.before.assign(first, last.first.base());
   part.after.assign(first_after, last.second.base());
@@ -101,7 +101,8 @@ class Finder {
     });
   }
   void compare(const grf::Mesh& before, const grf::Mesh& after, const grf::ScenePath& path) {
-    std::visit([this](auto&& part) { add(std::move(part)); }, mesh_part(path, before, after));
+    std::visit([this](auto&& part) { add(std::forward<decltype(part)>(part)); },
+               mesh_part(path, before, after));
   }
 
   std::vector<Part> take() { return std::move(parts_); }
@@ -300,7 +301,7 @@ ScenePatch ScenePatch::of_meshes(const grf::Scene& before, const std::vector<Pla
     const bool is_included = is_in_include(before, each.path);
     std::visit(
         [&](auto&& part) {
-          patch.parts_.push_back({is_included, std::move(part)});
+          patch.parts_.push_back({is_included, std::forward<decltype(part)>(part)});
         },
         mesh_part(each.path, *there, each.mesh));
   }

@@ -1,5 +1,6 @@
 #include "editor/panels/message_list.h"
 
+#include <QAbstractScrollArea>
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QPainter>

@@ -75,7 +75,7 @@ void RecoveryController::recover(const LostWork& work) {
     return result;
   };
   const auto begin = [this, work, read](Job& job) {
-    job.run(read, [this, work](ReadWork result) {
+    job.run(read, [this, work](const ReadWork& result) {
       if (!result.scene) return emit failed(QString::fromStdString(result.diagnostics.to_text()));
       files_.leave([this, work, result] { take(work, result); });
     });

@@ -11,7 +11,6 @@
 namespace editor {
 namespace {
 
-using testing::EndsWith;
 using testing::HasSubstr;
 
 /// A shell script in place of `bpt`, and the result of reading an image with it.
