@@ -18,6 +18,16 @@ std::vector<Box3d> boxes_of(const Geometry& geometry) {
   return boxes;
 }
 
+/// Whether a transform only translates and scales along the axes, so that a transformed box is a tight bound.
+bool keeps_axes(const Matrix44d& transform) {
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      if (row != column && transform[row][column] != 0) return false;
+    }
+  }
+  return transform[3][3] == 1;
+}
+
 }  // namespace
 
 VertexTree::VertexTree(const Geometry& geometry) : geometry_(&geometry), boxes_(boxes_of(geometry)) {}
@@ -38,6 +48,11 @@ double VertexTree::highest(const Bvh::ValueOfBox& bound, const ValueOfVertex& va
 Box3d VertexTree::bounds_under(const Matrix44d& transform) const {
   Box3d bounds;
   if (boxes_.bounds().isEmpty()) return bounds;
+  if (keeps_axes(transform)) {
+    bounds.extendBy(boxes_.bounds().min * transform);
+    bounds.extendBy(boxes_.bounds().max * transform);
+    return bounds;
+  }
   for (int axis = 0; axis < 3; ++axis) {
     const auto highest_along = [&](double sign) {
       const auto value = [&](const Vec3d& vertex) { return sign * (vertex * transform)[axis]; };

@@ -18,6 +18,17 @@ Mesh cloud(std::size_t vertices, std::mt19937& random) {
   return mesh;
 }
 
+/// Translations and scales along the axes, which may mirror, are shortcuts of `bounds_under`.
+Matrix44d random_scale_and_translation(std::mt19937& random) {
+  std::uniform_real_distribution<double> number(-2, 2);
+  Matrix44d matrix;
+  for (int k = 0; k < 3; ++k) {
+    matrix[k][k] = number(random);
+    matrix[3][k] = number(random);
+  }
+  return matrix;
+}
+
 Matrix44d random_transform(std::mt19937& random) {
   std::uniform_real_distribution<double> number(-2, 2);
   Matrix44d matrix;
@@ -33,7 +44,8 @@ TEST(VertexTree, BoundsTheTransformedVerticesThemselves) {
     const Mesh mesh = cloud(vertices, random);
     const VertexTree tree(*mesh.geometry);
     for (int i = 0; i < 20; ++i) {
-      const Matrix44d transform = random_transform(random);
+      const Matrix44d transform =
+          i % 2 == 0 ? random_transform(random) : random_scale_and_translation(random);
       Box3d expected;
       for (const Vec3f& position : mesh.geometry->positions) expected.extendBy(Vec3d(position) * transform);
       const Box3d bounds = tree.bounds_under(transform);
