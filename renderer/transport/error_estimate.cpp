@@ -19,12 +19,10 @@ constexpr double NormalQuantile = 1.96;
 /// halves' means are normally distributed, and less with heavy tails; but then the few pixels of unknown
 /// variance count in full, and images that lack their rare bright samples understate the error. Measured with
 /// error_statistics_test.
-constexpr double UncertainPart = 0.5;
+constexpr double UncertainPart = 0.45;
 /// The degrees of freedom that an error spread over few pixels loses: pixels that are noisy by chance are
 /// mistaken for noisy ones. Measured.
-constexpr double LostFreedom = 1.5;
-/// The fraction of the deviation that counts downwards: noise seldom overstates the error. Measured.
-constexpr double LowerDeviation = 0.82;
+constexpr double LostFreedom = 1.4;
 
 /// How much larger the pixels' contrast must be than the difference of the halves not to be noise.
 constexpr double ContrastOverNoise = 1.5;
@@ -40,8 +38,6 @@ constexpr double OutlierContrast = 2;
 /// nothing else shines, no path finds light by chance.
 constexpr double OutlierPixelsBefore = 5;
 constexpr double OutlierAgreementBefore = 0.12;
-/// The number of standard deviations by which the outliers' agreement may be off.
-constexpr double OutlierQuantile = 0.9;
 /// The agreement above which an outlier may be an object that every sample hits.
 constexpr double SteadyAgreement = 0.9;
 
@@ -54,12 +50,12 @@ constexpr double Balance = 0.5;
 constexpr double BinomialPart = 0.3;
 
 // Measured, as UncertainPart was.
-constexpr double UncertaintyPart = 0.45;        ///< of second-order errors, from the bias of the denominators
+constexpr double UncertaintyPart = 0.25;        ///< of second-order errors, from the bias of the denominators
 constexpr double OutlierUncertaintyPart = 0.2;  ///< the same, of the outliers' errors
-constexpr double TailGrowth = 0.65;             ///< with the logarithm of the number of touched pixels
-constexpr double TailBound = 1200;              ///< of the squared relative error of the least touched pixel
-constexpr double UnseenPart = 0.35;             ///< of the error of pixels without hits, in most images
-constexpr double TouchedPart = 0.88;            ///< of the touched pixels' errors, which may be missing
+constexpr double TailGrowth = 0.7;              ///< with the logarithm of the number of touched pixels
+constexpr double TailBound = 5000;              ///< of the squared relative error of the least touched pixel
+constexpr double UnseenPart = 0.5;              ///< of the error of pixels without hits, in most images
+constexpr double TouchedPart = 0.8;             ///< of the touched pixels' errors, which may be missing
 
 /// Statistics of values around a pixel.
 struct Neighbours {
@@ -332,7 +328,7 @@ struct Agreement {
   /// Bounds of Wilson's interval for a proportion, which also holds for a few pixels that all agree (Wilson
   /// 1927, "Probable inference, the law of succession, and statistical inference").
   double bound(double sign) const {
-    constexpr double Squared = OutlierQuantile * OutlierQuantile;
+    constexpr double Squared = NormalQuantile * NormalQuantile;
     const double spread = std::sqrt(Squared * (mean * (1 - mean) + Squared / (4 * pixels)) / pixels);
     return std::clamp((mean + Squared / (2 * pixels) + sign * spread) / (1 + Squared / pixels), 0.0, 1.0);
   }
@@ -450,7 +446,7 @@ std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   const double outliers_above = half_logarithm((outliers.high - outliers.errors) / errors);
   const double outliers_below = -half_logarithm(-(outliers.errors - outliers.low) / errors);
   const double above = std::hypot(std::hypot(deviation, denominator_uncertainty), tail_above, outliers_above);
-  const double below = std::hypot(LowerDeviation * deviation, tail_below, outliers_below);
+  const double below = std::hypot(deviation, tail_below, outliers_below);
   const double error = std::sqrt(errors / sums.values);
   return ErrorEstimate{error, error * std::exp(-below), error * std::exp(above)};
 }
