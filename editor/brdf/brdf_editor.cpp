@@ -200,7 +200,6 @@ void BrdfEditor::set_models(const std::vector<grf::BrdfModel>& models) {
 }
 
 void BrdfEditor::set_definitions(const Definitions& definitions) {
-  if (definitions == definitions_) return;
   definitions_ = definitions;
   form_->set_definitions(definitions);
   library_->set_definitions(definitions);

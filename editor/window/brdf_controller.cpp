@@ -76,10 +76,7 @@ void BrdfController::show_selection() {
   subjects_ = subjects_of_selection();
   const auto placed = common_definitions(document_.scene(), selected_meshes(document_));
   Definitions definitions;
-  for (const PlacedDefinition& each : placed) {
-    const bool is_mesh = std::holds_alternative<grf::Shared<grf::Mesh>>(each.definition->body);
-    if (!is_mesh) definitions.push_back(*each.definition);
-  }
+  for (const PlacedDefinition& each : placed) definitions.push_back(*each.definition);
   editor_.set_definitions(definitions);
   std::vector<grf::BrdfModel> models;
   models.reserve(subjects_.size());
