@@ -117,7 +117,7 @@ void MainWindow::make_window_menu() {
   auto* themes = new QActionGroup(this);
   for (const auto& [theme, text, tip] :
        {std::tuple(Theme::Dark, tr("&Dark"), tr("Light text on dark")),
-        std::tuple(Theme::Light, tr("&Emission"), tr("Dark text on light"))}) {
+        std::tuple(Theme::Light, tr("&Light"), tr("Dark text on light"))}) {
     QAction* action =
         new_switch(*this, {text, {}, {}, tip}, theme_of(palette()) == theme, [theme = theme](bool is_on) {
           if (!is_on) return;
