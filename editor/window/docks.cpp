@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "editor/appearance/icons.h"
-#include "editor/window/actions.h"
+#include "editor/controls/actions.h"
 
 namespace editor {
 namespace {

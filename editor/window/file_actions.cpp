@@ -14,12 +14,12 @@
 #include <utility>
 
 #include "converters/format.h"
+#include "editor/controls/actions.h"
 #include "editor/controls/text.h"
 #include "editor/document/document.h"
 #include "editor/document/model_import.h"
 #include "editor/document/save.h"
 #include "editor/jobs/job_list.h"
-#include "editor/window/actions.h"
 #include "grf/text_file.h"
 
 namespace editor {

@@ -11,11 +11,11 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/controls/actions.h"
 #include "editor/controls/notice_bar.h"
 #include "editor/panels/light_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
-#include "editor/window/actions.h"
 #include "editor/window/bake_controller.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/main_window.h"
@@ -115,9 +115,8 @@ void MainWindow::make_window_menu() {
                              [this] { show_scene(); }));
   menu->addSeparator();
   auto* themes = new QActionGroup(this);
-  for (const auto& [theme, text, tip] :
-       {std::tuple(Theme::Dark, tr("&Dark"), tr("Light text on dark")),
-        std::tuple(Theme::Light, tr("&Light"), tr("Dark text on light"))}) {
+  for (const auto& [theme, text, tip] : {std::tuple(Theme::Dark, tr("&Dark"), tr("Light text on dark")),
+                                         std::tuple(Theme::Light, tr("&Light"), tr("Dark text on light"))}) {
     QAction* action =
         new_switch(*this, {text, {}, {}, tip}, theme_of(palette()) == theme, [theme = theme](bool is_on) {
           if (!is_on) return;

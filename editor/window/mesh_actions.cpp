@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "converters/mesh_operations/subdivide.h"
+#include "editor/controls/actions.h"
 #include "editor/document/document.h"
 #include "editor/jobs/job_list.h"
-#include "editor/window/actions.h"
 #include "grf/scene_path.h"
 
 namespace editor {

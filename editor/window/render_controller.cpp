@@ -4,10 +4,10 @@
 #include <QMenu>
 #include <QToolBar>
 
+#include "editor/controls/actions.h"
 #include "editor/options/options_window.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
-#include "editor/window/actions.h"
 
 namespace editor {
 

@@ -5,9 +5,9 @@
 #include <QToolBar>
 #include <numbers>
 
+#include "editor/controls/actions.h"
 #include "editor/document/document.h"
 #include "editor/view/scene_view.h"
-#include "editor/window/actions.h"
 
 namespace editor {
 namespace {

@@ -6,8 +6,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "editor/controls/actions.h"
 #include "editor/view/scene_view.h"
-#include "editor/window/actions.h"
 
 namespace editor {
 namespace {

@@ -1,4 +1,4 @@
-#include "editor/window/actions.h"
+#include "editor/controls/actions.h"
 
 #include <QAction>
 #include <QWidget>
