@@ -48,7 +48,7 @@ LobePainter::LobePainter(QOpenGLContext& context) : context_(context) {
   indices_.create();
 }
 
-void LobePainter::upload(const LobeMesh& mesh) {
+void LobePainter::upload(const plot::LobeMesh& mesh) {
   std::vector<Vec3f> vectors;
   vectors.reserve(2 * mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {

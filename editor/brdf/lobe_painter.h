@@ -11,12 +11,12 @@
 #include <QMatrix4x4>
 #include <QVector3D>
 
-#include "editor/brdf/lobe_mesh.h"
+#include "renderer/plot/lobe_mesh.h"
 
 namespace editor {
 
 struct LobePicture {
-  std::shared_ptr<const LobeMesh> mesh;
+  std::shared_ptr<const plot::LobeMesh> mesh;
   QMatrix4x4 to_clip;
   QVector3D eye;  ///< direction towards the eye
   QColor colour;
@@ -32,7 +32,7 @@ class LobePainter {
   QImage paint(const LobePicture& picture);
 
  private:
-  void upload(const LobeMesh& mesh);
+  void upload(const plot::LobeMesh& mesh);
   void draw(const LobePicture& picture);
 
   QOpenGLContext& context_;
@@ -41,7 +41,7 @@ class LobePainter {
   QOpenGLBuffer vertices_{QOpenGLBuffer::VertexBuffer};
   QOpenGLBuffer indices_{QOpenGLBuffer::IndexBuffer};
   std::unique_ptr<QOpenGLFramebufferObject> target_;
-  std::shared_ptr<const LobeMesh> uploaded_;
+  std::shared_ptr<const plot::LobeMesh> uploaded_;
 };
 
 }  // namespace editor

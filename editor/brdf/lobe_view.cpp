@@ -30,7 +30,7 @@ QVector3D eye_direction(double azimuth, double elevation) {
 
 LobeView::LobeView(QWidget* parent)
     : QWidget(parent),
-      mesh_(std::make_shared<const LobeMesh>()),
+      mesh_(std::make_shared<const plot::LobeMesh>()),
       thread_("lobe", [this] { painter_.reset(); }) {
   setMinimumSize(16 * Grid, 16 * Grid);
   setFocusPolicy(Qt::StrongFocus);
@@ -73,18 +73,21 @@ void LobeView::set_logarithmic(bool is_logarithmic) {
 void LobeView::compute() {
   if (!brdf_) {
     job_.stop();
-    mesh_ = std::make_shared<const LobeMesh>();
+    mesh_ = std::make_shared<const plot::LobeMesh>();
     return draw();
   }
   if (!isVisible() || !is_old_) return;
   is_old_ = false;
-  job_.start([brdf = brdf_, view = view_, with_cosine = with_cosine_, is_logarithmic = is_logarithmic_](
-                 const StopFlag& stop) { return lobe_mesh(*brdf, view, with_cosine, is_logarithmic, stop); },
-             [this](LobeMesh mesh) {
-               mesh_ = std::make_shared<const LobeMesh>(std::move(mesh));
-               draw();
-               emit updated();
-             });
+  const plot::LobeStyle style = {plot::Channel::Luminance, with_cosine_, is_logarithmic_};
+  job_.start(
+      [brdf = brdf_, u = plot::direction_at(-view_), style](const StopFlag& stop) {
+        return plot::lobe_mesh(*brdf, u, style, {}, [&] { return stop.is_set(); });
+      },
+      [this](plot::LobeMesh mesh) {
+        mesh_ = std::make_shared<const plot::LobeMesh>(std::move(mesh));
+        draw();
+        emit updated();
+      });
 }
 
 LobePicture LobeView::picture() const {

@@ -6,9 +6,10 @@
 
 #include <QMatrix4x4>
 
-#include "editor/brdf/lobe_mesh.h"
+#include "editor/brdf/lobe_curves.h"
 #include "editor/graphics/graphics_thread.h"
 #include "editor/jobs/background_job.h"
+#include "renderer/plot/lobe_mesh.h"
 
 namespace editor {
 
@@ -32,7 +33,7 @@ class LobeView : public QWidget {
   void set_with_cosine(bool with_cosine);
   void set_logarithmic(bool is_logarithmic);
 
-  const LobeMesh& mesh() const { return *mesh_; }
+  const plot::LobeMesh& mesh() const { return *mesh_; }
   bool is_busy() const { return job_.is_busy() || is_drawing_; }
   /// Angle about the normal, and elevation over the surface, in degrees.
   double azimuth() const { return azimuth_; }
@@ -64,7 +65,7 @@ class LobeView : public QWidget {
 
   SharedBrdf brdf_;
   QString hint_;  // instead of a lobe
-  std::shared_ptr<const LobeMesh> mesh_;
+  std::shared_ptr<const plot::LobeMesh> mesh_;
   double view_ = 45;
   bool with_cosine_ = true;
   bool is_logarithmic_ = false;
@@ -73,7 +74,7 @@ class LobeView : public QWidget {
   double zoom_ = 1;
   QPointF grabbed_at_;
   bool is_old_ = true;
-  BackgroundJob<LobeMesh> job_{this};
+  BackgroundJob<plot::LobeMesh> job_{this};
   QImage drawn_;
   QMatrix4x4 drawn_to_clip_;
   bool is_drawing_ = false;

@@ -173,6 +173,9 @@ void draw(QCustomPlot& plot, const plot::Chart& chart) {
       graph->addData(point.x, is_shown ? point.y : std::numeric_limits<double>::quiet_NaN());
     }
     graph->setPen(pen_of(series, colour_of(series, i, theme, colours)));
+    if (!series.has_line) graph->setLineStyle(QCPGraph::lsNone);
+    if (series.has_marks || !series.has_line)
+      graph->setScatterStyle({QCPScatterStyle::ssDisc, series.has_line ? 5.0 : 2.5});
     graph->setName(text_of(series.name));
     if (series.name.empty()) graph->removeFromLegend();
   }

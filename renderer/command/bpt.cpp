@@ -156,7 +156,7 @@ void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
   CLI::App* plot =
       add_command("plot", "Plot lobes, albedo and a lit sphere; with --pdf, a sampling scheme's pdf", true);
   plot->add_option("-o,--output", arguments.output, "output file")
-      ->type_name("FILE.svg|FILE.png")
+      ->type_name("FILE.svg|FILE.png|FILE.pdf")
       ->required();
   CLI::Option* pdf = plot->add_option("--pdf", arguments.pdf,
                                       "sampling scheme: plot its pdf, samples and weights for the BRDF");

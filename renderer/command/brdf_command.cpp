@@ -13,16 +13,19 @@
 
 #include "grf/text_file.h"
 #include "grf/write.h"
-#include "renderer/command/brdf_instance.h"
 #include "renderer/command/brdf_plot.h"
 #include "renderer/command/directions.h"
 #include "renderer/command/json_values.h"
+#include "renderer/command/printed.h"
 #include "renderer/command/sampling_plot.h"
 #include "renderer/plot/svg.h"
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/merl_table.h"
 #include "renderer/reflectance/scheme.h"
+#include "renderer/studies/brdf_instance.h"
+#include "renderer/studies/study.h"
+#include "renderer/transport/image/image.h"
 
 namespace command {
 namespace {
@@ -32,6 +35,11 @@ using grf::ExitCode;
 using reflectance::Reflector;
 using reflectance::Rgb;
 using reflectance::Vec3f;
+
+std::optional<Reflector> reflector_of(const BrdfArguments& arguments) {
+  return printed(
+      [&](Diagnostics& diagnostics) { return studies::read_instance(arguments.instance, diagnostics); });
+}
 
 std::optional<Vec3f> direction_option(const std::string& text, const char* option) {
   const auto angles = angles_option(text, option);
@@ -64,6 +72,17 @@ ExitCode evaluate_lines(const Reflector& reflector, bool json) {
   }
   print_values(values, json);
   return ExitCode::Done;
+}
+
+/// Plots a FIT file as the study tool `fitplot` does.
+std::optional<plot::Svg> picture_of_fit(const std::string& path) {
+  studies::ToolState state;
+  state.settings.keyword = "fitplot";
+  state.files.push_back({path, {}});
+  auto study = printed([&](Diagnostics& diagnostics) { return studies::study_of(state, {}, diagnostics); });
+  if (!study) return std::nullopt;
+  fmt::print(stderr, "{}\n", study->summary);
+  return std::move(study->figure);
 }
 
 struct InterpolationError {
@@ -167,7 +186,7 @@ ExitCode list_brdfs(const BrdfArguments& arguments) {
 }
 
 ExitCode evaluate_brdf(const BrdfArguments& arguments) {
-  const auto reflector = read_instance(arguments.instance);
+  const auto reflector = reflector_of(arguments);
   if (!reflector) return ExitCode::BadInput;
   if (arguments.view.empty() && arguments.light.empty()) return evaluate_lines(*reflector, arguments.json);
   const auto u = direction_option(arguments.view, "--u");
@@ -178,7 +197,7 @@ ExitCode evaluate_brdf(const BrdfArguments& arguments) {
 }
 
 ExitCode print_albedo(const BrdfArguments& arguments) {
-  const auto reflector = read_instance(arguments.instance);
+  const auto reflector = reflector_of(arguments);
   if (!reflector) return ExitCode::BadInput;
   const auto u = direction_option(arguments.view, "--u");
   if (!u) return ExitCode::BadCommandLine;
@@ -192,7 +211,7 @@ ExitCode print_albedo(const BrdfArguments& arguments) {
 }
 
 ExitCode export_brdf(const BrdfArguments& arguments) {
-  const auto reflector = read_instance(arguments.instance);
+  const auto reflector = reflector_of(arguments);
   if (!reflector) return ExitCode::BadInput;
   Diagnostics diagnostics;
   std::string why_not;
@@ -223,8 +242,11 @@ ExitCode export_brdf(const BrdfArguments& arguments) {
 ExitCode plot_brdf(const BrdfArguments& arguments) {
   Diagnostics diagnostics;
   std::optional<plot::Svg> picture;
-  if (arguments.pdf.empty()) {
-    const auto reflector = read_instance(arguments.instance);
+  if (transport::has_extension(arguments.instance, "fit")) {
+    picture = picture_of_fit(arguments.instance);
+    if (!picture) return ExitCode::BadInput;
+  } else if (arguments.pdf.empty()) {
+    const auto reflector = reflector_of(arguments);
     if (!reflector) return ExitCode::BadInput;
     picture = picture_of(*reflector, arguments.instance);
   } else {
@@ -234,7 +256,9 @@ ExitCode plot_brdf(const BrdfArguments& arguments) {
       if (!view) return ExitCode::BadCommandLine;
       views.push_back(*view);
     }
-    const auto instance = read_sampled_instance(arguments.instance, arguments.pdf);
+    const auto instance = printed([&](Diagnostics& reading) {
+      return studies::read_sampled_instance(arguments.instance, arguments.pdf, reading);
+    });
     if (!instance) return ExitCode::BadInput;
     picture = picture_of_sampling(*instance, arguments.instance, arguments.pdf, views);
   }

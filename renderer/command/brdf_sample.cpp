@@ -1,8 +1,4 @@
-#include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <numbers>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,11 +6,12 @@
 #include "grf/text_file.h"
 #include "grf/write.h"
 #include "renderer/command/brdf_command.h"
-#include "renderer/command/brdf_instance.h"
 #include "renderer/command/directions.h"
-#include "renderer/command/drawn_samples.h"
 #include "renderer/command/json_values.h"
-#include "renderer/plot/fit_file.h"
+#include "renderer/command/printed.h"
+#include "renderer/studies/brdf_instance.h"
+#include "renderer/studies/drawn_samples.h"
+#include "renderer/studies/fit_samples.h"
 
 namespace command {
 namespace {
@@ -22,6 +19,8 @@ namespace {
 using grf::ExitCode;
 using reflectance::ScatterSample;
 using reflectance::Vec3f;
+using studies::DrawnSamples;
+using studies::SampledInstance;
 
 /// Writes samples as JSON. `pdfs` and `values` leave out the specular (delta) part, with 0 as its pdf.
 nlohmann::ordered_json to_json(const SampledInstance& instance, const Vec3f& u, const DrawnSamples& drawn) {
@@ -61,42 +60,9 @@ void print_text(const SampledInstance& instance, const Vec3f& u, const DrawnSamp
   }
 }
 
-/// Rewrites a path to a data file relative to the folder of another file.
-std::string renamed(const std::string& data_file, const grf::SourceLocation& named_at,
-                    const std::string& in) {
-  namespace fs = std::filesystem;
-  if (fs::path(data_file).is_absolute()) return data_file;
-  const std::string path = named_at.file ? grf::path_beside(named_at.file->path, data_file) : data_file;
-  std::error_code error;
-  const fs::path folder = fs::path(in).has_parent_path() ? fs::path(in).parent_path() : fs::path(".");
-  const fs::path relative = fs::proximate(path, folder, error);
-  return error ? path : relative.generic_string();
-}
-
-/// Makes a FIT file of non-specular samples. Values are means of f over RGB, to lie on the BRDF's plot.
-plot::FitFile fit_of(const SampledInstance& instance, const Angles& view, const DrawnSamples& drawn,
-                     const std::string& path) {
-  plot::FitFile fit;
-  fit.brdf = instance.model;
-  if (!fit.brdf.data_file.empty()) {
-    fit.brdf.data_file = renamed(fit.brdf.data_file, fit.brdf.location, path);
-  }
-  fit.theta = static_cast<float>(view.theta);
-  fit.phi = static_cast<float>(std::remainder(view.phi, 2 * std::numbers::pi));
-  const Vec3f u = direction_of(view);
-  for (const ScatterSample& sample : drawn.samples) {
-    if (sample.is_specular) continue;
-    fit.points.push_back(
-        {sample.direction, reflectance::mean(instance.reflector.evaluate(u, sample.direction))});
-  }
-  return fit;
-}
-
 bool write_fit(const plot::FitFile& fit, const std::string& path) {
-  grf::Diagnostics diagnostics;
-  const bool written = grf::replace_file(path, to_text(fit), diagnostics);
-  fmt::print(stderr, "{}", diagnostics.to_text());
-  return written;
+  return printed(
+      [&](grf::Diagnostics& diagnostics) { return grf::replace_file(path, to_text(fit), diagnostics); });
 }
 
 }  // namespace
@@ -104,12 +70,16 @@ bool write_fit(const plot::FitFile& fit, const std::string& path) {
 ExitCode sample_brdf(const BrdfArguments& arguments) {
   const auto view = angles_option(arguments.view, "--u");
   if (!view) return ExitCode::BadCommandLine;
-  const auto instance = read_sampled_instance(arguments.instance, arguments.pdf);
+  const auto instance = printed([&](grf::Diagnostics& diagnostics) {
+    return studies::read_sampled_instance(arguments.instance, arguments.pdf, diagnostics);
+  });
   if (!instance) return ExitCode::BadInput;
   const Vec3f u = direction_of(*view);
-  const DrawnSamples drawn = draw_samples(instance->reflector, u, arguments.count, arguments.seed);
-  if (!arguments.fit.empty() && !write_fit(fit_of(*instance, *view, drawn, arguments.fit), arguments.fit)) {
-    return ExitCode::BadInput;
+  const DrawnSamples drawn = studies::draw_samples(instance->reflector, u, arguments.count, arguments.seed);
+  if (!arguments.fit.empty()) {
+    const plot::FitFile fit =
+        studies::fit_of(instance->model, instance->reflector, *view, drawn.samples, arguments.fit);
+    if (!write_fit(fit, arguments.fit)) return ExitCode::BadInput;
   }
   if (arguments.json) {
     fmt::print("{}\n", to_json(*instance, u, drawn).dump());

@@ -9,13 +9,6 @@
 
 namespace command {
 
-// Computed in double, so that a direction at the horizon is exactly there.
-reflectance::Vec3f direction_of(const Angles& angles) {
-  const double sine = std::sin(angles.theta);
-  return {static_cast<float>(sine * std::cos(angles.phi)), static_cast<float>(sine * std::sin(angles.phi)),
-          static_cast<float>(std::cos(angles.theta))};
-}
-
 std::optional<std::vector<double>> numbers_of(std::string_view text, std::size_t least, std::size_t most) {
   std::vector<double> numbers;
   const char* position = text.data();

@@ -7,16 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/reflectance/geometry.h"
+#include "renderer/studies/angles.h"
 
 namespace command {
 
-struct Angles {
-  double theta = 0;  ///< from the normal
-  double phi = 0;    ///< from the x axis
-};
-
-reflectance::Vec3f direction_of(const Angles& angles);
+using studies::Angles;
+using studies::direction_of;
 
 /// Parses numbers separated by commas or blanks; nothing on other text, or a count outside [least, most].
 std::optional<std::vector<double>> numbers_of(std::string_view text, std::size_t least, std::size_t most);

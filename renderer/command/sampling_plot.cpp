@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "renderer/command/disc_plot.h"
-#include "renderer/command/drawn_samples.h"
 #include "renderer/plot/chart.h"
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/light_angles.h"
+#include "renderer/studies/disc_plot.h"
+#include "renderer/studies/drawn_samples.h"
 
 namespace command {
 namespace {
@@ -21,6 +21,10 @@ namespace {
 using plot::Anchor;
 using plot::Point;
 using reflectance::Vec3f;
+using studies::DiscMap;
+using studies::DrawnSamples;
+using studies::SampledInstance;
+using studies::WeightStatistics;
 
 constexpr double Width = 1200;
 constexpr double Left = 24;
@@ -67,7 +71,7 @@ Row row_of(const SampledInstance& instance, const Angles& view) {
   // The albedo is estimated by the BRDF's own sampler, independently of the scheme.
   const reflectance::Reflector own(instance.reflector.brdf(), reflectance::OwnScheme());
   const double albedo = reflectance::mean(reflectance::albedo(own, u));
-  DrawnSamples drawn = draw_samples(instance.reflector, u, Samples, 0);
+  DrawnSamples drawn = studies::draw_samples(instance.reflector, u, Samples, 0);
   const WeightStatistics statistics = statistics_of(drawn, albedo);
   return {instance, view, u, std::move(drawn), statistics};
 }
@@ -87,10 +91,10 @@ void draw_discs(const Row& row, double top, plot::Svg& svg) {
   const plot::Rectangle left = {{PdfAt, top}, DiscSide, DiscSide};
   const plot::Rectangle right = {{IdealAt, top}, DiscSide, DiscSide};
   draw(pdf, scale, left, svg);
-  draw_directions(shown, left, SchemeColour, svg);
-  mark_view(row.u, left, svg);
+  studies::draw_directions(shown, left, SchemeColour, svg);
+  studies::mark_view(row.u, left, svg);
   draw(ideal, scale, right, svg);
-  mark_view(row.u, right, svg);
+  studies::mark_view(row.u, right, svg);
   draw(scale, {{ScaleAt, top + 14}, 12, DiscSide - 28}, svg);
 }
 

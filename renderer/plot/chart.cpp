@@ -137,10 +137,13 @@ std::vector<Point> line_of(const Series& series, const Scale& x, const Scale& y)
 
 void draw_lines(const Chart& chart, const Scale& x, const Scale& y, Svg& svg) {
   constexpr double MarkRadius = 2.6;
+  constexpr double CloudRadius = 1.2;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const std::vector<Point> line = line_of(chart.series[i], x, y);
-    svg.polyline(line, {colour_of(chart.series, i), LineWidth, chart.series[i].dashes});
-    if (chart.series[i].has_marks) svg.dots(line, MarkRadius, colour_of(chart.series, i));
+    const bool has_line = chart.series[i].has_line;
+    if (has_line) svg.polyline(line, {colour_of(chart.series, i), LineWidth, chart.series[i].dashes});
+    if (chart.series[i].has_marks || !has_line)
+      svg.dots(line, has_line ? MarkRadius : CloudRadius, colour_of(chart.series, i));
   }
 }
 

@@ -19,6 +19,7 @@ struct Series {
   std::string_view colour = {};  ///< empty: `colour_of_series` of its index
   std::string_view dashes = {};  ///< dash pattern, see `Stroke`
   bool has_marks = false;        ///< draw a dot at each point
+  bool has_line = true;          ///< else it is a cloud of small dots
 };
 
 struct Axis {

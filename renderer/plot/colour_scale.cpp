@@ -76,11 +76,6 @@ grf::Colour ColourScale::colour(double value) const {
   return decoded(Colours[index]) * (1 - rest) + decoded(Colours[index + 1]) * rest;
 }
 
-std::string hexadecimal(const grf::Colour& encoded) {
-  const auto byte = [](float channel) { return std::lround(255 * std::clamp(channel, 0.0F, 1.0F)); };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(encoded.x), byte(encoded.y), byte(encoded.z));
-}
-
 void draw(const ColourScale& scale, const Rectangle& place, Svg& svg) {
   constexpr int Strips = 64;
   const double range = std::log(scale.highest() / scale.lowest());

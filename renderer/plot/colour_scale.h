@@ -1,8 +1,6 @@
 // Logarithmic colour maps.
 #pragma once
 
-#include <string>
-
 #include "grf/math.h"
 #include "renderer/plot/chart.h"
 #include "renderer/plot/svg.h"
@@ -30,8 +28,5 @@ class ColourScale {
 
 /// Draws a vertical colour bar with values at its right.
 void draw(const ColourScale& scale, const Rectangle& place, Svg& svg);
-
-/// Formats a colour as `#rrggbb`.
-std::string hexadecimal(const grf::Colour& encoded);
 
 }  // namespace plot

@@ -171,7 +171,7 @@ TEST_F(BptBrdf, PlotsPng) {
 TEST_F(BptBrdf, RefusesOtherPictures) {
   for (const char* name : {"a.gif", "a", "a.svg.txt"}) {
     expect_failure({"plot", "diffuse", "-o", folder_.path(name)}, 1,
-                   "error: the picture's name must end in .svg or .png");
+                   "error: the picture's name must end in .svg, .png or .pdf");
   }
   const std::string nowhere = folder_.path("none/a.svg");
   expect_failure({"plot", "diffuse", "-o", nowhere}, 1, nowhere + ": error: ");

@@ -18,7 +18,7 @@ namespace {
 TEST(LobeMesh, HasTheValuesOverTheHemisphere) {
   const SharedBrdf ward = compiled_brdf_of("ward sx=0.2 sy=0.4");
   for (const double view : {0.0, 45.0, 85.0}) {
-    const LobeMesh mesh = lobe_mesh(*ward, view, false, false, {});
+    const plot::LobeMesh mesh = plot::lobe_mesh(*ward, plot::direction_at(-view), {});
     ASSERT_EQ(mesh.values.size(), mesh.directions.size());
     for (std::size_t i = 0; i < mesh.directions.size(); i += 31) {
       const double expected =
@@ -33,7 +33,7 @@ TEST(LobeMesh, HasTheValuesOverTheHemisphere) {
 
 TEST(LobeMesh, CoversTheHemisphere) {
   // The lobe of a diffuse BRDF is a hemisphere: its volume shows that it is complete and oriented outwards.
-  const LobeMesh mesh = lobe_mesh(*compiled_brdf_of("diffuse"), 60, false, false, {});
+  const plot::LobeMesh mesh = plot::lobe_mesh(*compiled_brdf_of("diffuse"), plot::direction_at(-60), {});
   double volume = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
     const auto& a = mesh.positions[mesh.triangles[i]];

@@ -1,4 +1,4 @@
-#include "renderer/command/disc_plot.h"
+#include "renderer/studies/disc_plot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "grf/srgb.h"
 #include "renderer/transport/image/image_encoders.h"
 
-namespace command {
+namespace studies {
 namespace {
 
 using plot::Point;
@@ -19,6 +19,10 @@ constexpr int Subpixels = 2;  // along a side
 
 Point point_of(const Vec3f& v, const plot::Rectangle& place) {
   return place.corner + Point((1 + v.x) / 2 * place.width, (1 - v.y) / 2 * place.height);
+}
+
+Rgb linear(const grf::Colour& encoded) {
+  return {grf::srgb_decoded(encoded.x), grf::srgb_decoded(encoded.y), grf::srgb_decoded(encoded.z)};
 }
 
 DiscMap::Pixel pixel_at(int column, int row, const std::function<double(const Vec3f&)>& function) {
@@ -56,11 +60,10 @@ DiscMap::DiscMap(const std::function<double(const Vec3f&)>& function) {
 
 void draw(const DiscMap& map, const plot::ColourScale& scale, const plot::Rectangle& place, plot::Svg& svg) {
   transport::Image image{DiscMap::Side, DiscMap::Side, {}};
+  const Rgb background = linear(svg.shaded(grf::Colour(1)));
   for (const DiscMap::Pixel& pixel : map.pixels()) {
-    const grf::Colour encoded = scale.colour(pixel.value);
-    const Rgb colour(grf::srgb_decoded(encoded.x), grf::srgb_decoded(encoded.y),
-                     grf::srgb_decoded(encoded.z));
-    image.pixels.push_back(colour * pixel.coverage + Rgb(1 - pixel.coverage));
+    const Rgb colour = linear(scale.colour(pixel.value));
+    image.pixels.push_back(colour * pixel.coverage + background * (1 - pixel.coverage));
   }
   svg.image(place.corner, place.width, place.height, transport::encode_png({image}));
   const Point centre = place.corner + Point(place.width, place.height) / 2;
@@ -84,4 +87,4 @@ void mark_view(const Vec3f& u, const plot::Rectangle& place, plot::Svg& svg) {
   svg.circle(centre, 4, {"#111", 1.2});
 }
 
-}  // namespace command
+}  // namespace studies

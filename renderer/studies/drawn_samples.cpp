@@ -1,11 +1,11 @@
-#include "renderer/command/drawn_samples.h"
+#include "renderer/studies/drawn_samples.h"
 
 #include <algorithm>
 #include <chrono>
 
 #include "renderer/transport/sobol.h"
 
-namespace command {
+namespace studies {
 
 DrawnSamples draw_samples(const reflectance::Reflector& reflector, const reflectance::Vec3f& u,
                           std::uint32_t count, std::uint32_t seed) {
@@ -45,4 +45,4 @@ WeightStatistics statistics_of(const DrawnSamples& drawn, double albedo) {
   return statistics;
 }
 
-}  // namespace command
+}  // namespace studies

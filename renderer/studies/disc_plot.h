@@ -9,7 +9,7 @@
 #include "renderer/plot/colour_scale.h"
 #include "renderer/reflectance/geometry.h"
 
-namespace command {
+namespace studies {
 
 /// The means of a function over the pixels of a square around the disc.
 class DiscMap {
@@ -43,4 +43,4 @@ void draw_directions(std::span<const reflectance::Vec3f> directions, const plot:
 /// Draws a ring at the view direction.
 void mark_view(const reflectance::Vec3f& u, const plot::Rectangle& place, plot::Svg& svg);
 
-}  // namespace command
+}  // namespace studies

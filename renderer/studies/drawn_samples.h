@@ -6,7 +6,7 @@
 
 #include "renderer/reflectance/reflector.h"
 
-namespace command {
+namespace studies {
 
 /// Samples of a reflector for one view direction.
 struct DrawnSamples {
@@ -34,4 +34,4 @@ struct WeightStatistics {
 
 WeightStatistics statistics_of(const DrawnSamples& drawn, double albedo);
 
-}  // namespace command
+}  // namespace studies

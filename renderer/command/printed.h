@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "grf/diagnostics.h"
+
+namespace command {
+
+/// Calls a function that takes diagnostics, prints these to standard error, and returns its result.
+template <class Read>
+auto printed(const Read& read) {
+  grf::Diagnostics diagnostics;
+  auto result = read(diagnostics);
+  fmt::print(stderr, "{}", diagnostics.to_text());
+  return result;
+}
+
+}  // namespace command

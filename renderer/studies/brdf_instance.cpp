@@ -1,0 +1,71 @@
+#include "renderer/studies/brdf_instance.h"
+
+#include <chrono>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "grf/read.h"
+#include "grf/text_file.h"
+#include "renderer/reflectance/brdf_maker.h"
+
+namespace studies {
+namespace {
+
+std::optional<grf::BrdfModel> read_model(const std::string& instance, grf::Diagnostics& diagnostics) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(instance, error))
+    return grf::read_brdf(instance, "BRDF", diagnostics);
+  const auto bytes = grf::read_file(instance, diagnostics);
+  return bytes ? grf::read_brdf(*bytes, instance, diagnostics) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<reflectance::Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& diagnostics) {
+  if (!grf::check(model, reflectance::brdf_infos(), "BRDF", diagnostics)) return std::nullopt;
+  const auto brdf = reflectance::BrdfMaker(diagnostics).make(model, {});
+  return brdf ? std::optional(*brdf) : std::nullopt;
+}
+
+std::optional<reflectance::Scheme> make_scheme(const grf::PdfModel& model, const reflectance::Brdf& brdf,
+                                               const std::string& brdf_keyword,
+                                               grf::Diagnostics& diagnostics) {
+  if (!grf::check(model, reflectance::scheme_infos(), "PDF", diagnostics)) return std::nullopt;
+  const reflectance::Scheme scheme = reflectance::make_scheme(model).value();
+  const std::string unsupported_reason = reflectance::unsupported_reason(scheme, brdf);
+  if (unsupported_reason.empty()) return scheme;
+  diagnostics.error(model.location, fmt::format("the scheme '{}' cannot sample the BRDF '{}': {}",
+                                                model.keyword, brdf_keyword, unsupported_reason));
+  return std::nullopt;
+}
+
+SampledInstance sampled_instance(const grf::BrdfModel& model, const reflectance::Brdf& brdf,
+                                 const reflectance::Scheme& scheme) {
+  const auto start = std::chrono::steady_clock::now();
+  reflectance::Reflector reflector(brdf, scheme);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  return {model, std::move(reflector), time.count()};
+}
+
+std::optional<reflectance::Reflector> read_instance(const std::string& instance,
+                                                    grf::Diagnostics& diagnostics) {
+  const auto model = read_model(instance, diagnostics);
+  const auto brdf = model ? make_brdf(*model, diagnostics) : std::nullopt;
+  if (!brdf) return std::nullopt;
+  return reflectance::Reflector(*brdf, reflectance::OwnScheme());
+}
+
+std::optional<SampledInstance> read_sampled_instance(const std::string& instance, const std::string& pdf,
+                                                     grf::Diagnostics& diagnostics) {
+  const auto model = read_model(instance, diagnostics);
+  const auto brdf = model ? make_brdf(*model, diagnostics) : std::nullopt;
+  if (!brdf) return std::nullopt;
+  const auto pdf_model = grf::read_pdf(pdf, "PDF", diagnostics);
+  const auto scheme = pdf_model ? make_scheme(*pdf_model, *brdf, model->keyword, diagnostics) : std::nullopt;
+  if (!scheme) return std::nullopt;
+  return sampled_instance(*model, *brdf, *scheme);
+}
+
+}  // namespace studies

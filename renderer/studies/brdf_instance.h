@@ -1,0 +1,44 @@
+// BRDFs and sampling schemes, from the text of an instance to what can be evaluated and sampled.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "grf/diagnostics.h"
+#include "grf/model.h"
+#include "renderer/reflectance/reflector.h"
+
+namespace studies {
+
+/// Checks a BRDF and makes it ready for evaluation; returns nothing after an error. A `combine` is an error,
+/// as there are no definitions.
+std::optional<reflectance::Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& diagnostics);
+
+/// Makes the sampling scheme of a `pdf`, without its tables; returns nothing after an error in it, or if it
+/// does not support the BRDF.
+std::optional<reflectance::Scheme> make_scheme(const grf::PdfModel& model, const reflectance::Brdf& brdf,
+                                               const std::string& brdf_keyword,
+                                               grf::Diagnostics& diagnostics);
+
+/// Reads a BRDF from a text such as `ward sx=0.2`, or from the file of that name, with its own sampler.
+/// Returns nothing after an error.
+std::optional<reflectance::Reflector> read_instance(const std::string& instance,
+                                                    grf::Diagnostics& diagnostics);
+
+/// A BRDF with a sampling scheme.
+struct SampledInstance {
+  grf::BrdfModel model;
+  reflectance::Reflector reflector;
+  double build_seconds = 0;  ///< build time of the scheme's tables
+};
+
+/// Reads a BRDF and a sampling scheme from texts such as `ward sx=0.2` and `hemisphere exp=20`. Returns
+/// nothing after an error in either, or if the scheme does not support the BRDF.
+std::optional<SampledInstance> read_sampled_instance(const std::string& instance, const std::string& pdf,
+                                                     grf::Diagnostics& diagnostics);
+
+/// Builds the tables of a scheme for a BRDF, and measures how long that takes.
+SampledInstance sampled_instance(const grf::BrdfModel& model, const reflectance::Brdf& brdf,
+                                 const reflectance::Scheme& scheme);
+
+}  // namespace studies

@@ -1,0 +1,66 @@
+#include "renderer/studies/study.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "grf/keywords.h"
+#include "renderer/reflectance/scheme.h"
+#include "renderer/studies/fit_plot.h"
+
+namespace studies {
+namespace {
+
+/// Reports a part that is missing or one too many.
+bool check_count(const ToolState& state, std::size_t found, std::size_t expected, std::string_view what,
+                 grf::Diagnostics& diagnostics) {
+  if (found == expected) return true;
+  diagnostics.error(state.settings.location,
+                    fmt::format("'{}' takes {} {}{}, and the state has {}", state.settings.keyword, expected,
+                                what, expected == 1 ? "" : "s", found));
+  return false;
+}
+
+}  // namespace
+
+bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diagnostics) {
+  bool is_valid = grf::check(state.settings, {tool.settings}, "tool", diagnostics);
+  is_valid = check_count(state, state.distribution ? 1 : 0, tool.distributions.empty() ? 0 : 1,
+                         "distribution", diagnostics) &&
+             is_valid;
+  is_valid = check_count(state, state.brdfs.size(), tool.brdfs, "BRDF", diagnostics) && is_valid;
+  is_valid = check_count(state, state.pdfs.size(), tool.pdfs, "sampling scheme", diagnostics) && is_valid;
+  if (state.distribution && !tool.distributions.empty())
+    is_valid = grf::check(*state.distribution, tool.distributions, "distribution", diagnostics) && is_valid;
+  for (const grf::BrdfModel& brdf : state.brdfs)
+    is_valid = grf::check(brdf, reflectance::brdf_infos(), "BRDF", diagnostics) && is_valid;
+  for (const grf::PdfModel& pdf : state.pdfs)
+    is_valid = grf::check(pdf, reflectance::scheme_infos(), "PDF", diagnostics) && is_valid;
+  return is_valid;
+}
+
+std::vector<StudyTool> study_tools() { return {fit_plot_tool()}; }
+
+std::optional<ToolState> initial_state(std::string_view name) {
+  for (const StudyTool& tool : study_tools()) {
+    if (grf::same_keyword(tool.name(), name)) return tool.initial;
+  }
+  return std::nullopt;
+}
+
+std::optional<Study> study_of(const ToolState& state, const StudyContext& context,
+                              grf::Diagnostics& diagnostics) {
+  const std::vector<StudyTool> tools = study_tools();
+  const auto tool = std::ranges::find_if(
+      tools, [&](const StudyTool& each) { return grf::same_keyword(each.name(), state.settings.keyword); });
+  if (tool == tools.end()) {
+    std::vector<grf::ModelInfo> infos;
+    for (const StudyTool& each : tools) infos.push_back(each.settings);
+    grf::report_unknown(state.settings, infos, "tool", {}, diagnostics);
+    return std::nullopt;
+  }
+  if (!check(state, *tool, diagnostics)) return std::nullopt;
+  return tool->make(state, context, diagnostics);
+}
+
+}  // namespace studies

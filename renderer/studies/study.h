@@ -1,0 +1,63 @@
+// Studies of BRDFs and sampling: what the study tools of the editor show, and `bpt` writes.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/plot/svg.h"
+#include "renderer/studies/tool_state.h"
+
+namespace studies {
+
+/// The result of a study: a figure, and the data that it shows.
+struct Study {
+  plot::Svg figure;
+  std::string summary;  ///< the result in a sentence
+  std::string csv;      ///< comma-separated values, with a header line; empty if there are none
+  std::string fit;      ///< text of a FIT file; empty if there is none
+  /// Describes what is at a point of the figure; empty text for nothing. May be null.
+  std::function<std::string(const plot::Point& point)> describe = {};
+};
+
+/// What a study depends on besides its state.
+struct StudyContext {
+  plot::Paper paper = plot::Paper::White;
+  std::function<bool()> is_stopped = {};  ///< polled; then the result does not matter
+};
+
+/// A row of the table of study tools. A window's form and the validation of states follow from it.
+struct StudyTool {
+  grf::ModelInfo settings;  ///< keyword, title, description, and settings as parameters
+  ToolState initial;        ///< what a new window shows
+  std::vector<grf::ModelInfo> distributions = {};  ///< that can be chosen; empty: none
+  std::size_t brdfs = 0;                           ///< how many BRDFs it takes
+  std::size_t pdfs = 0;                            ///< how many sampling schemes
+  std::string files = {};  ///< extensions of the files that it opens, `fit hdr exr`; empty: none
+  bool takes_many_files = false;
+  std::string_view azimuth = {};  ///< settings that dragging the figure changes, in degrees; empty: none
+  std::string_view elevation = {};
+  std::string_view animated = {};  ///< the setting that an animation goes through; empty: none
+
+  /// Makes the study of a state that was checked; returns nothing after an error.
+  std::optional<Study> (*make)(const ToolState& state, const StudyContext& context,
+                               grf::Diagnostics& diagnostics) = nullptr;
+
+  std::string_view name() const { return settings.keyword; }
+};
+
+/// Returns the table of all tools with a figure. A new tool is a new row here.
+std::vector<StudyTool> study_tools();
+
+/// Returns what a tool shows at first; nothing if there is no tool of that name.
+std::optional<ToolState> initial_state(std::string_view tool);
+
+/// Checks a state against a tool: the values of its settings, and the number and values of its models.
+bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diagnostics);
+
+/// Checks a state against its tool, and makes its study; returns nothing after an error.
+std::optional<Study> study_of(const ToolState& state, const StudyContext& context,
+                              grf::Diagnostics& diagnostics);
+
+}  // namespace studies
