@@ -13,10 +13,12 @@
 #include "editor/window/file_actions.h"
 #include "editor/window/main_window.h"
 #include "editor/window/tools.h"
+#include "grf/exit_code.h"
+#include "grf/keywords.h"
+#include "grf/text_file.h"
+#include "renderer/studies/study.h"
 
 namespace {
-
-constexpr int BadCommandLine = 2;
 
 QString list_of_tools() {
   QStringList lines;
@@ -27,7 +29,7 @@ QString list_of_tools() {
 
 int fail(const QString& message) {
   std::cerr << "wannabe: " << message.toStdString() << '\n';
-  return BadCommandLine;
+  return static_cast<int>(grf::ExitCode::BadCommandLine);
 }
 
 /// Closes the window once the scene is shown in full, and prints how long that took.
@@ -41,7 +43,34 @@ void tell_startup_time(editor::MainWindow& window, const QElapsedTimer& since) {
   timer->start(0);
 }
 
-std::unique_ptr<QWidget> open_window(const QString& tool_name, const QStringList& files) {
+/// Makes the figure of a tool's state without a window.
+int make_figure(const QString& state_file, const QString& tool_name, const QStringList& files,
+                const QString& output) {
+  grf::Diagnostics diagnostics;
+  const auto report = [&] {
+    std::cerr << diagnostics.to_text();
+    return static_cast<int>(diagnostics.has_errors() ? grf::ExitCode::BadInput : grf::ExitCode::Done);
+  };
+  std::optional<studies::ToolState> state;
+  if (state_file.isEmpty()) {
+    state = studies::initial_state(tool_name.toStdString());
+    if (!state) return fail(QString("there are no figures of a tool called '%1'").arg(tool_name));
+  } else {
+    const auto text = grf::read_file(state_file.toStdString(), diagnostics);
+    if (text) state = studies::read_state(*text, state_file.toStdString(), diagnostics);
+    if (!state) return report();
+    if (!tool_name.isEmpty() && !grf::same_keyword(tool_name.toStdString(), state->settings.keyword))
+      return fail(QString("the state %1 is of the tool %2")
+                      .arg(state_file, QString::fromStdString(state->settings.keyword)));
+  }
+  for (const QString& file : files) state->files.push_back({file.toStdString(), {}});
+  const auto study = study_of(*state, {}, diagnostics);
+  if (!study || !write_picture(study->figure, output.toStdString(), diagnostics)) return report();
+  std::cout << study->summary << '\n';
+  return report();
+}
+
+std::unique_ptr<QWidget> open_window(const QString& tool_name, QStringList files, const QString& state_file) {
   if (tool_name.isEmpty()) {
     auto window = std::make_unique<editor::MainWindow>();
     window->show();
@@ -53,6 +82,7 @@ std::unique_ptr<QWidget> open_window(const QString& tool_name, const QStringList
   const auto tool =
       std::ranges::find_if(tools, [&](const editor::Tool& each) { return each.name == tool_name; });
   if (tool == tools.end()) return nullptr;
+  if (!state_file.isEmpty()) files.prepend(state_file);
   std::unique_ptr<QWidget> window(tool->open(files));
   window->show();
   return window;
@@ -63,11 +93,17 @@ std::unique_ptr<QWidget> open_window(const QString& tool_name, const QStringList
 int main(int argc, char** argv) {
   QElapsedTimer since;
   since.start();
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName("granada");
-  QApplication::setApplicationName("wannabe");
-  QApplication::setApplicationVersion(GRANADA_VERSION);
-  QApplication::setDesktopFileName("wannabe");
+  // A figure is made without a window, and so without a display.
+  const auto asks_for_figure = [](const char* argument) {
+    return QByteArray(argument) == "-o" || QByteArray(argument).startsWith("--output");
+  };
+  const bool has_window = std::none_of(argv, argv + argc, asks_for_figure);
+  const std::unique_ptr<QCoreApplication> application(has_window ? new QApplication(argc, argv)
+                                                                 : new QCoreApplication(argc, argv));
+  QCoreApplication::setOrganizationName("granada");
+  QCoreApplication::setApplicationName("wannabe");
+  QCoreApplication::setApplicationVersion(GRANADA_VERSION);
+  if (has_window) QGuiApplication::setDesktopFileName("wannabe");
 
   QCommandLineParser parser;
   parser.setApplicationDescription("Edits GRF scenes with a BRDF per face.");
@@ -75,19 +111,26 @@ int main(int argc, char** argv) {
   parser.addVersionOption();
   parser.addPositionalArgument("FILE", "A scene or a model to open; others are appended to it.", "[FILE...]");
   const QCommandLineOption tool("tool", "Opens a single tool instead: " + list_of_tools(), "NAME");
+  const QCommandLineOption state("state", "Opens the tool with these settings, as saved by it.", "FILE");
+  const QCommandLineOption output({"o", "output"}, "Makes the tool's figure without a window.",
+                                  "FILE.svg|png|pdf");
   const QCommandLineOption theme(
       "theme", "Uses the theme dark or light for this session; the default is the last one chosen.", "NAME");
   const QCommandLineOption startup("startup-time", "Prints the time until the window responds, and exits.");
-  parser.addOptions({tool, theme, startup});
-  if (!parser.parse(QApplication::arguments())) return fail(parser.errorText());
+  parser.addOptions({tool, state, output, theme, startup});
+  if (!parser.parse(QCoreApplication::arguments())) return fail(parser.errorText());
   if (parser.isSet("help")) parser.showHelp();
   if (parser.isSet("version")) parser.showVersion();
+  if (parser.isSet(output))
+    return make_figure(parser.value(state), parser.value(tool), parser.positionalArguments(),
+                       parser.value(output));
   const QString look =
       parser.isSet(theme) ? parser.value(theme) : QSettings().value("theme", "dark").toString();
   if (look != "dark" && look != "light") return fail("--theme must be dark or light, not " + look);
-  editor::apply(look == "light" ? editor::Theme::Light : editor::Theme::Dark, application);
+  editor::apply(look == "light" ? editor::Theme::Light : editor::Theme::Dark, *qApp);
 
-  const std::unique_ptr<QWidget> window = open_window(parser.value(tool), parser.positionalArguments());
+  const std::unique_ptr<QWidget> window =
+      open_window(parser.value(tool), parser.positionalArguments(), parser.value(state));
   if (window == nullptr)
     return fail("unknown tool " + parser.value(tool) + "; the tools are " + list_of_tools());
   auto* main_window = qobject_cast<editor::MainWindow*>(window.get());

@@ -2,9 +2,12 @@
 
 #include <QCoreApplication>
 
+#include "editor/controls/text.h"
 #include "editor/image/image_window.h"
 #include "editor/options/options_window.h"
+#include "editor/tools/study_window.h"
 #include "editor/window/viewer_window.h"
+#include "renderer/studies/study.h"
 
 namespace editor {
 namespace {
@@ -33,13 +36,23 @@ QWidget* open_images(const QStringList& files) {
 }  // namespace
 
 std::vector<Tool> tools() {
-  return {
+  std::vector<Tool> all = {
       {"grfviewer", tool_text("GRF &viewer"), tool_text("View a scene without editing it"), open_viewer},
       {"op", tool_text("Render &options"), tool_text("Edit and check the render options of an OP file"),
        open_options},
       {"image", tool_text("&Image view"), tool_text("View and compare images, and renders in progress"),
        open_images},
   };
+  for (const studies::StudyTool& study : studies::study_tools()) {
+    const QString title = text_of(study.settings.title);
+    all.push_back({text_of(study.name()), title, text_of(study.settings.description),
+                   [study](const QStringList& files) {
+                     auto* window = new StudyWindow(study);
+                     window->open(files);
+                     return window;
+                   }});
+  }
+  return all;
 }
 
 }  // namespace editor

@@ -10,11 +10,14 @@
 #include <utility>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/text.h"
 #include "editor/image/image_browser.h"
 #include "editor/image/screen_controls.h"
 #include "editor/options/options_window.h"
 #include "editor/rendering/render_panel.h"
+#include "editor/tools/study_window.h"
 #include "editor/window/viewer_window.h"
+#include "grf/text_file.h"
 #include "tests/editor/screenshots/pictures.h"
 #include "tests/editor/screenshots/stage.h"
 #include "tests/editor/window/window_driver.h"
@@ -147,6 +150,24 @@ QPixmap viewer_window() {
   test::action(window, "BRDF").trigger();
   expect(QTest::qWaitFor([&] { return window.view().is_complete(); }, Minute), "the viewer shows nothing");
   return window.grab();
+}
+
+QPixmap study_window(const QString& state_file) {
+  grf::Diagnostics diagnostics;
+  const std::string path = state_file.toStdString();
+  const auto text = grf::read_file(path, diagnostics);
+  const auto state = text ? studies::read_state(*text, path, diagnostics) : std::nullopt;
+  expect(state.has_value(), editor::text_of(diagnostics));
+  for (const studies::StudyTool& tool : studies::study_tools()) {
+    if (tool.name() != state->settings.keyword) continue;
+    editor::StudyWindow window(tool);
+    window.resize(1200, 720);
+    window.show();
+    window.open({state_file});
+    expect(QTest::qWaitFor([&] { return !window.is_busy(); }, Minute), "the study is not done");
+    return window.grab();
+  }
+  throw std::runtime_error("no tool of that name");
 }
 
 QPixmap shortcut_list() {

@@ -31,6 +31,8 @@ std::vector<ReviewGroup> review_groups();
 QPixmap option_window();
 /// The GRF viewer with a sample.
 QPixmap viewer_window();
+/// The window of a study tool with the state of a file.
+QPixmap study_window(const QString& state_file);
 /// The list of shortcuts.
 QPixmap shortcut_list();
 /// Two renders, compared with a wipe.

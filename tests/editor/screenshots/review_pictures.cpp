@@ -3,6 +3,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QDialog>
+#include <QDir>
 #include <QDockWidget>
 #include <QFile>
 #include <QPainter>
@@ -170,6 +171,13 @@ void windows(const Take& take) {
   take("shortcuts", shortcut_list());
 }
 
+/// The study tools, each with the states of the sample studies.
+void studies(const Take& take) {
+  for (const QFileInfo& file : QDir(Samples + "studies/tools").entryInfoList({"*.study"}, QDir::Files)) {
+    take("study_" + file.completeBaseName(), study_window(file.filePath()));
+  }
+}
+
 /// All display modes of one scene with data for each.
 void modes(const Take& take) {
   Stage stage({1280, 800});
@@ -236,7 +244,7 @@ void focus(const Take& take) {
 std::vector<ReviewGroup> review_groups() {
   return {{"docks", docks},     {"small", small_window}, {"empty", empty},       {"jobs", jobs},
           {"lights", lights},   {"render", render},      {"mistakes", mistakes}, {"images", images},
-          {"windows", windows}, {"modes", modes},        {"focus", focus}};
+          {"windows", windows}, {"studies", studies},    {"modes", modes},       {"focus", focus}};
 }
 
 }  // namespace screenshots
