@@ -287,7 +287,7 @@ void BrdfLibrary::add() {
   if (!current_) return;
   const QString name = folder_.free_name(QString::fromStdString(current_->keyword));
   const QString problem = folder_.add(name, *current_);
-  if (!problem.isEmpty()) return fail(problem);
+  if (!problem.isEmpty()) return show_or_hide(message_, problem);
   set_folder(folder_.path());
   for (std::size_t i = 0; i < list_->entries().size(); ++i) {
     const LibraryEntry& entry = list_->entries()[i];
@@ -307,7 +307,7 @@ void BrdfLibrary::rename(QListWidgetItem* item) {
       this,
       [this, problem] {
         reload();
-        if (!problem.isEmpty()) fail(problem);
+        if (!problem.isEmpty()) show_or_hide(message_, problem);
       },
       Qt::QueuedConnection);
 }
@@ -317,7 +317,7 @@ void BrdfLibrary::remove() {
   if (entry == nullptr) return;
   const QString problem = folder_.remove(entry->name);
   reload();
-  if (!problem.isEmpty()) fail(problem);
+  if (!problem.isEmpty()) show_or_hide(message_, problem);
 }
 
 void BrdfLibrary::choose_folder() {
@@ -326,11 +326,6 @@ void BrdfLibrary::choose_folder() {
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, &BrdfLibrary::set_folder);
   dialog->open();
-}
-
-void BrdfLibrary::fail(const QString& problem) {
-  show_or_hide(message_, problem);
-  emit failed(problem);
 }
 
 }  // namespace editor
