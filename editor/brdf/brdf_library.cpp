@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QScopedValueRollback>
+#include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -27,6 +28,8 @@ constexpr int TileMargin = Grid / 2;
 /// The light alone shows a white diffuse surface as white, and the sky adds to it.
 constexpr double PictureStops = -1;
 constexpr int PictureSamples = 32;
+
+constexpr const char* FolderSetting = "library/folder";
 
 grf::BrdfModel preset_of(std::string_view text) {
   grf::Diagnostics diagnostics;
@@ -144,7 +147,12 @@ BrdfLibrary::BrdfLibrary(QWidget* parent) : QWidget(parent) {
   connect(list_, &QListWidget::itemSelectionChanged, this, &BrdfLibrary::show_state);
   connect(list_, &QListWidget::itemChanged, this, &BrdfLibrary::rename);
   connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, &BrdfLibrary::reload);
-  reload();
+  const QString folder = QSettings().value(FolderSetting).toString();
+  if (QFileInfo(folder).isDir()) {
+    set_folder(folder);
+  } else {
+    reload();
+  }
 }
 
 void BrdfLibrary::build_controls() {
@@ -191,6 +199,7 @@ void BrdfLibrary::set_definitions(Definitions definitions) {
 void BrdfLibrary::set_folder(const QString& path) {
   if (!watcher_.directories().empty()) watcher_.removePaths(watcher_.directories());
   folder_ = LibraryFolder(path);
+  QSettings().setValue(FolderSetting, path);
   if (QFileInfo(path).isDir()) watcher_.addPath(path);
   reload();
 }

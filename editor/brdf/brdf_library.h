@@ -56,7 +56,7 @@ class BrdfLibrary : public QWidget {
   explicit BrdfLibrary(QWidget* parent = nullptr);
 
   void set_definitions(Definitions definitions);
-  /// Sets the folder, which is watched for external changes.
+  /// Sets the folder, which is watched for external changes and remembered for the next library.
   void set_folder(const QString& path);
   /// Sets the BRDF that the Save button adds; without one the button is disabled.
   void set_current(const std::optional<grf::BrdfModel>& brdf);
