@@ -50,10 +50,11 @@ nlohmann::json whole_if_exact(double number) {
   return static_cast<double>(whole) == number ? nlohmann::json(whole) : nlohmann::json(number);
 }
 
-nlohmann::json summary_of(const transport::Render& render, const RenderOptions& render_options,
-                          const std::string& output, double setup_seconds, const transport::Plan& plan) {
+nlohmann::json summary_of(const transport::Render& render,
+                          const std::optional<transport::ErrorEstimate>& estimate,
+                          const RenderOptions& render_options, const std::string& output,
+                          double setup_seconds, const transport::Plan& plan) {
   const double seconds = render.seconds();
-  const auto estimate = render.error_estimate();
   nlohmann::json summary;
   summary["output"] = output;
   summary["width"] = render_options.size.width;
@@ -108,8 +109,9 @@ std::string cause_text(const transport::NotFinite& cause, const CompiledScene& s
 }
 
 /// Writes the image and the reports, and prints errors.
-bool keep(const transport::Render& render, const CompiledScene& scene, const transport::View& view,
-          const RenderOptions& render_options, const std::vector<std::string>& outputs) {
+bool keep(const transport::Render& render, const std::optional<transport::ErrorEstimate>& estimate,
+          const CompiledScene& scene, const transport::View& view, const RenderOptions& render_options,
+          const std::vector<std::string>& outputs) {
   Diagnostics diagnostics;
   const transport::RenderTotals totals = render.totals();
   if (totals.rejected > 0) {
@@ -120,7 +122,7 @@ bool keep(const transport::Render& render, const CompiledScene& scene, const tra
                         totals.rejected, totals.first_rejected % width, totals.first_rejected / width,
                         cause_text(render.cause_of_rejection().value_or(transport::NotFinite()), scene)));
   }
-  const transport::ImageFile file = image_file_of(render, scene, view, render_options);
+  const transport::ImageFile file = image_file_of(render, estimate, scene, view, render_options);
   const std::vector<std::string> fallbacks = transport::fallback_folders();
   bool kept = true;
   for (const std::string& output : outputs) {
@@ -180,11 +182,13 @@ grf::ExitCode render(const RenderArguments& arguments) {
   Diagnostics of_run;
   const bool has_run = run(*render, signal_handler, settings, progress, of_run);
   print(of_run);
-  if (!has_run || !keep(*render, job->scene, job->settings.view, *render_options, outputs)) {
+  if (!has_run) return ExitCode::BadInput;
+  const auto estimate = render->error_estimate();
+  if (!keep(*render, estimate, job->scene, job->settings.view, *render_options, outputs)) {
     return ExitCode::BadInput;
   }
   progress.finish(render->progress(), outputs.front());
-  print(summary_of(*render, *render_options, outputs.front(), setup_seconds, job->plan), arguments);
+  print(summary_of(*render, estimate, *render_options, outputs.front(), setup_seconds, job->plan), arguments);
   return signal_handler.was_signalled() ? ExitCode::Interrupted : ExitCode::Done;
 }
 
