@@ -80,8 +80,8 @@ void print(const nlohmann::json& summary, const RenderArguments& arguments) {
   if (arguments.json) fmt::print("{}\n", summary.dump(has_lines ? -1 : 2));
   if (arguments.json || has_lines) return;
   const auto number = [&](const char* name) { return summary[name].get<double>(); };
-  fmt::print("{}: {}x{} pixels, {:.4g} samples per pixel\n", summary["output"].get<std::string>(),
-             summary["width"].get<int>(), summary["height"].get<int>(), number("samples"));
+  fmt::print("{}: {}x{} pixels, {} per pixel\n", summary["output"].get<std::string>(),
+             summary["width"].get<int>(), summary["height"].get<int>(), samples_text(number("samples")));
   fmt::print("  setup {}, render {} ({:.2f} million paths and {:.2f} million rays per second)\n",
              duration_text(number("setup_seconds")), duration_text(number("render_seconds")),
              number("paths_per_second") / 1e6, number("rays_per_second") / 1e6);
@@ -117,9 +117,8 @@ bool keep(const transport::Render& render, const std::optional<transport::ErrorE
   if (totals.rejected > 0) {
     const auto width = static_cast<std::uint64_t>(render_options.size.width);
     diagnostics.warning(
-        {}, fmt::format("{} samples were not finite (NaN or infinite) and count as black; the first is in "
-                        "pixel ({}, {}): {}",
-                        totals.rejected, totals.first_rejected % width, totals.first_rejected / width,
+        {}, fmt::format("{} in pixel ({}, {}): {}", rejected_samples_text(totals.rejected),
+                        totals.first_rejected % width, totals.first_rejected / width,
                         cause_text(render.cause_of_rejection().value_or(transport::NotFinite()), scene)));
   }
   const transport::ImageFile file = image_file_of(render, estimate, scene, view, render_options);
