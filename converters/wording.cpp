@@ -7,10 +7,6 @@
 
 namespace convert {
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t MostNames = 3;
   const auto shown = std::span(names).first(std::min(names.size(), MostNames));

@@ -18,6 +18,7 @@
 #include "converters/assimp/three_ds_scene.h"
 #include "converters/stl/write_stl.h"
 #include "converters/text_encoding.h"
+#include "converters/wording.h"
 #include "grf/text_file.h"
 
 namespace convert {
@@ -105,9 +106,9 @@ std::optional<Import> read_lwo(const std::string& path, const ReadOptions&, grf:
     size += std::uint64_t{static_cast<std::uint8_t>(bytes[4 + i])} << (24 - 8 * i);
   }
   if (size > bytes.size()) {
-    diagnostics.error(source->location, fmt::format("the file has {} bytes, and says that it has {}: it is "
+    diagnostics.error(source->location, fmt::format("the file has {}, and says that it has {}: it is "
                                                     "truncated or damaged",
-                                                    bytes.size(), size));
+                                                    counted(bytes.size(), "byte", "bytes"), size));
     return {};
   }
   return finish(import_bytes(bytes, "lwo"), LwoRules, losses_of_lwo(bytes), source->location, diagnostics);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "converters/assimp/assimp_import.h"
+#include "converters/wording.h"
 
 namespace convert {
 namespace {
@@ -66,7 +67,7 @@ std::string value_text(const aiMaterial& material, const aiMaterialProperty& pro
       return " " + text_of(string);
     }
     default:
-      return fmt::format(" ({} bytes)", property.mDataLength);
+      return fmt::format(" ({})", counted(property.mDataLength, "byte", "bytes"));
   }
 }
 

@@ -49,14 +49,15 @@ std::optional<std::string_view> check_stl(std::string_view bytes, const grf::Sou
   }
   if (size > bytes.size()) {
     const std::size_t there = (bytes.size() - HeaderSize - CountSize) / FacetSize;
-    diagnostics.error(location, fmt::format("the file ends after {} of {} facets", there, facets));
+    diagnostics.error(location,
+                      fmt::format("the file ends after {} of {}", there, counted(facets, "facet", "facets")));
     return {};
   }
   const std::string_view rest = bytes.substr(size);
   if (is_padding(rest)) return bytes.substr(0, size);
-  diagnostics.error(location,
-                    fmt::format("{} the last of {} facets: their count is wrong, or the file was damaged",
-                                counted(rest.size(), "byte follows", "bytes follow"), facets));
+  diagnostics.error(location, fmt::format("{} the last of {}: the count is wrong, or the file was damaged",
+                                          counted(rest.size(), "byte follows", "bytes follow"),
+                                          counted(facets, "facet", "facets")));
   return {};
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "converters/wording.h"
 #include "grf/keywords.h"
 
 namespace convert {
@@ -141,13 +142,13 @@ class ThreeDsReader {
       if (chunk->first == VerticesChunk) read_positions(chunk->second, object);
       if (chunk->first == FacesChunk) read_faces(chunk->second, object);
       if (chunk->first == TextureCoordinatesChunk) {
-        object.uv_count += count_of(chunk->second, 8, "texture coordinates");
+        object.uv_count += count_of(chunk->second, 8, "texture coordinate", "texture coordinates");
       }
     }
   }
 
   void read_positions(ChunkData data, ThreeDsObject& object) {
-    for (std::size_t n = count_of(data, 12, "vertices"); n > 0; --n) {
+    for (std::size_t n = count_of(data, 12, "vertex", "vertices"); n > 0; --n) {
       const float x = data.take_float();
       const float y = data.take_float();
       object.positions.emplace_back(x, y, data.take_float());
@@ -155,7 +156,7 @@ class ThreeDsReader {
   }
 
   void read_faces(ChunkData data, ThreeDsObject& object) {
-    for (std::size_t n = count_of(data, 8, "faces"); n > 0; --n) {
+    for (std::size_t n = count_of(data, 8, "face", "faces"); n > 0; --n) {
       ThreeDsFace face;
       for (std::uint16_t& corner : face.corners) corner = data.take_index();
       data.take_number(2);  // edge visibility
@@ -176,7 +177,7 @@ class ThreeDsReader {
     const std::size_t material = found == file_.materials.end()
                                      ? ThreeDsFace::NoMaterial
                                      : static_cast<std::size_t>(found - file_.materials.begin());
-    for (std::size_t n = count_of(data, 2, "faces of a material"); n > 0; --n) {
+    for (std::size_t n = count_of(data, 2, "face of a material", "faces of a material"); n > 0; --n) {
       const std::size_t face = data.take_index();
       if (face < object.faces.size()) object.faces[face].material = material;
     }
@@ -190,12 +191,12 @@ class ThreeDsReader {
   }
 
   /// Reads the count at the start of a list; returns 0 after an error.
-  std::size_t count_of(ChunkData& data, std::size_t bytes_each, std::string_view of_what) {
+  std::size_t count_of(ChunkData& data, std::size_t bytes_each, std::string_view one, std::string_view many) {
     const std::size_t begin = data.position() - ChunkHeaderSize;
     const std::size_t count = data.size() < 2 ? 0 : data.take_index();
     const std::size_t there = data.size() / bytes_each;
     if (count <= there) return count;
-    error(begin, fmt::format("the list of {} {} ends after {}", count, of_what, there));
+    error(begin, fmt::format("the list of {} ends after {}", counted(count, one, many), there));
     return 0;
   }
 
@@ -212,8 +213,9 @@ class ThreeDsReader {
                    fmt::format("a face of the object '{}' has vertex {} of {}", object.name, largest, count));
     }
     if (object.uv_count > 0 && object.uv_count < count) {
-      error(position, fmt::format("the object '{}' has {} texture coordinates for {} vertices", object.name,
-                                  object.uv_count, count));
+      error(position,
+            fmt::format("the object '{}' has {} for {} vertices", object.name,
+                        counted(object.uv_count, "texture coordinate", "texture coordinates"), count));
     }
   }
 

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "converters/wording.h"
+
 namespace convert {
 namespace {
 
@@ -126,8 +128,8 @@ std::optional<std::size_t> GltfAccessors::checked_count(int index, std::size_t c
                             accessor->componentType));
   }
   if (components_of(*accessor) != components) {
-    return fail(fmt::format("accessor {}: found {} numbers per element, expected {}", index,
-                            components_of(*accessor), components));
+    return fail(fmt::format("accessor {}: found {} per element, expected {}", index,
+                            counted(components_of(*accessor), "number", "numbers"), components));
   }
   // Only sparse accessors may have no buffer; their other elements are zero.
   if (accessor->bufferView < 0 && accessor->count > file_.bytes) {
@@ -153,8 +155,8 @@ std::optional<std::span<const unsigned char>> GltfAccessors::view(int index) {
   }
   const auto& data = buffers[static_cast<std::size_t>(view.buffer)].data;
   if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset) {
-    return fail(fmt::format("buffer view {}: {} bytes from byte {} of a buffer that has {}", index,
-                            view.byteLength, view.byteOffset, data.size()));
+    return fail(fmt::format("buffer view {}: {} from byte {} of a buffer that has {}", index,
+                            counted(view.byteLength, "byte", "bytes"), view.byteOffset, data.size()));
   }
   return std::span(data).subspan(view.byteOffset, view.byteLength);
 }
@@ -167,15 +169,16 @@ std::optional<GltfAccessors::Run> GltfAccessors::run_of(int index, std::size_t o
   Run run;
   run.stride = may_have_stride && stride != 0 ? stride : element;
   if (run.stride < element) {
-    return fail(fmt::format("accessor {}: elements of {} bytes, {} bytes from one to the next", current_,
-                            element, run.stride));
+    return fail(fmt::format("accessor {}: elements of {}, {} from one to the next", current_,
+                            counted(element, "byte", "bytes"), counted(run.stride, "byte", "bytes")));
   }
   const std::size_t size = bytes->size();
   const bool fits = count == 0 || (element <= size && offset <= size - element &&
                                    count - 1 <= (size - element - offset) / run.stride);
   if (!fits) {
-    return fail(fmt::format("accessor {}: {} elements from byte {} go beyond the {} bytes of buffer view {}",
-                            current_, count, offset, size, index));
+    return fail(fmt::format("accessor {}: {} from byte {} {} beyond the {} of buffer view {}", current_,
+                            counted(count, "element", "elements"), offset, count == 1 ? "goes" : "go",
+                            counted(size, "byte", "bytes"), index));
   }
   run.bytes = bytes->data() + offset;
   return run;

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "converters/wording.h"
+
 namespace convert {
 namespace {
 
@@ -161,8 +163,8 @@ std::optional<std::vector<Matrix44d>> GltfNodes::joints(int index) {
   const auto numbers = accessors_.floats(skin.inverseBindMatrices, 16);
   if (!numbers) return std::nullopt;
   if (numbers->size() < 16 * joints.size()) {
-    return accessors_.fail(fmt::format("skin {} has {} joints, and matrices for {}", index, joints.size(),
-                                       numbers->size() / 16));
+    return accessors_.fail(fmt::format("skin {} has {}, and matrices for {}", index,
+                                       counted(joints.size(), "joint", "joints"), numbers->size() / 16));
   }
   for (std::size_t i = 0; i < joints.size(); ++i) {
     joints[i] = matrix_of(std::span(*numbers).subspan(16 * i, 16)) * joints[i];

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "converters/wording.h"
+
 namespace convert {
 namespace {
 
@@ -50,7 +52,8 @@ class VertexReader {
   bool fits(const std::string& name, int accessor) {
     const std::size_t count = accessors_.count(accessor);
     if (count == size()) return true;
-    accessors_.fail(fmt::format("{} has {} values for {} vertices", name, count, size()));
+    accessors_.fail(fmt::format("{} has {} for {}", name, counted(count, "value", "values"),
+                                counted(size(), "vertex", "vertices")));
     return false;
   }
 

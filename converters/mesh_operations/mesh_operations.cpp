@@ -103,8 +103,9 @@ class Operator {
   }
 
   void report_decimation(const grf::SourceLocation& location, grf::Diagnostics& diagnostics) const {
-    diagnostics.note(location, fmt::format("{} of {} triangles are left; their vertices are unchanged",
-                                           triangles_after_, triangles_before_));
+    diagnostics.note(location, fmt::format("{} of {} {} left; their vertices are unchanged", triangles_after_,
+                                           counted(triangles_before_, "triangle", "triangles"),
+                                           triangles_after_ == 1 ? "is" : "are"));
     if (triangles_left_alone_ > 0) {
       diagnostics.warning(location, fmt::format("{}: not part of a manifold",
                                                 counted(triangles_left_alone_, "triangle was not decimated",

@@ -12,6 +12,7 @@
 
 #include "converters/index_table.h"
 #include "converters/obj/obj_truncation.h"
+#include "converters/wording.h"
 
 namespace convert {
 namespace {
@@ -163,8 +164,8 @@ std::span<const float> ObjParser::read_numbers(const Statement& statement, Eleme
     ++count;
   }
   if (std::find(counts.begin(), counts.end(), count) == counts.end()) {
-    fail(statement.keyword, fmt::format("found {} numbers for a {}, expected {}", count, elements.name,
-                                        fmt::join(counts, " or ")));
+    fail(statement.keyword, fmt::format("found {} for a {}, expected {}", counted(count, "number", "numbers"),
+                                        elements.name, fmt::join(counts, " or ")));
     return {};
   }
   return std::span(numbers_).first(count);

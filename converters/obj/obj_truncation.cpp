@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "converters/wording.h"
+
 namespace convert {
 namespace {
 
@@ -65,8 +67,8 @@ std::string TruncationDetector::evidence_in_numbers(const Statement& statement) 
   if (!parse_number(last) || last.ends_with('.')) return fmt::format("the number '{}' is incomplete", last);
   const bool uniform = usage != nullptr && usage->fewest_decimals == usage->most_decimals;
   if (uniform && decimals_of(last) < usage->most_decimals) {
-    return fmt::format("the number '{}' has fewer than the {} decimals of all others", last,
-                       usage->most_decimals);
+    return fmt::format("the number '{}' has fewer than the {} of all others", last,
+                       counted(usage->most_decimals, "decimal", "decimals"));
   }
   return "";
 }

@@ -170,8 +170,8 @@ bool OffReader::read_numbers(std::size_t from) {
 bool OffReader::read_vertices() {
   while (vertices_.size() < vertex_count_) {
     if (!next_line()) {
-      return fail(reader_.whole_file(),
-                  fmt::format("the file ends after {} of {} vertices", vertices_.size(), vertex_count_));
+      return fail(reader_.whole_file(), fmt::format("the file ends after {} of {}", vertices_.size(),
+                                                    counted(vertex_count_, "vertex", "vertices")));
     }
     if (!read_vertex()) return false;
   }
@@ -217,7 +217,8 @@ grf::Colour OffReader::colour_at(std::size_t first) const {
 bool OffReader::read_faces() {
   for (std::size_t i = 0; i < face_count_; ++i) {
     if (!next_line()) {
-      return fail(reader_.whole_file(), fmt::format("the file ends after {} of {} faces", i, face_count_));
+      return fail(reader_.whole_file(),
+                  fmt::format("the file ends after {} of {}", i, counted(face_count_, "face", "faces")));
     }
     if (!read_face()) return false;
   }

@@ -11,6 +11,7 @@
 
 #include "converters/ply/ply_layout.h"
 #include "converters/ply/ply_values.h"
+#include "converters/wording.h"
 
 namespace convert {
 namespace {
@@ -202,8 +203,9 @@ bool ElementReader::take_corners() {
 bool ElementReader::take_uvs(PlyFace& face) {
   if (uv_list_.empty()) return true;
   if (uv_list_.size() != 2 * corner_list_.size()) {
-    return values_.fail(fmt::format("{} texture coordinates for {} corners, expected two numbers a corner",
-                                    uv_list_.size(), corner_list_.size()));
+    return values_.fail(fmt::format("{} for {}, expected two numbers a corner",
+                                    counted(uv_list_.size(), "texture coordinate", "texture coordinates"),
+                                    counted(corner_list_.size(), "corner", "corners")));
   }
   uvs_.clear();
   for (std::size_t i = 0; i < uv_list_.size(); i += 2) {

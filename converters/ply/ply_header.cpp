@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "converters/text_encoding.h"
+#include "converters/wording.h"
 #include "grf/keywords.h"
 
 namespace convert {
@@ -254,10 +255,10 @@ void HeaderReader::check_room() {
   for (const PlyElement& element : header_.elements) {
     const std::uint64_t size = element.fewest_bytes(header_.encoding);
     if (size > 0 && element.count > left / size) {
-      diagnostics_.error(
-          element.location,
-          fmt::format("the file is too short for {} elements '{}': it has {} bytes after its header",
-                      element.count, element.name, room));
+      diagnostics_.error(element.location,
+                         fmt::format("the file is too short for {} '{}': it has {} after its header",
+                                     counted(element.count, "element", "elements"), element.name,
+                                     counted(room, "byte", "bytes")));
       return;
     }
     left -= element.count * size;

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "converters/wording.h"
+
 namespace convert {
 namespace {
 
@@ -70,7 +72,8 @@ bool PlyValues::next_count(const PlyProperty& list, std::size_t& count) {
   const bool is_text = encoding_ == PlyEncoding::Ascii;
   const std::size_t room = (text_.size() - position_) / (is_text ? 2 : size_of(list.type));
   if (count <= room) return true;
-  return fail(fmt::format("a list of {} values, for which the file is too short", count));
+  return fail(
+      fmt::format("a list of {}, for which the file is too short", counted(count, "value", "values")));
 }
 
 bool PlyValues::skip_element() {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "converters/vrml/vrml97_geometry.h"
+#include "converters/wording.h"
 
 namespace convert::vrml {
 namespace {
@@ -45,8 +46,8 @@ class GridReader {
     columns_ = static_cast<std::size_t>(std::max(columns, 0));
     rows_ = static_cast<std::size_t>(std::max(rows, 0));
     if (heights.size() != columns_ * rows_) {
-      reader_.error_at("height", fmt::format("the field 'height' has {} numbers, expected {} times {}",
-                                             heights.size(), columns, rows));
+      reader_.error_at("height", fmt::format("the field 'height' has {}, expected {} times {}",
+                                             counted(heights.size(), "number", "numbers"), columns, rows));
       return false;
     }
     polygons_.positions.reserve(heights.size());
@@ -61,8 +62,8 @@ class GridReader {
   bool has_enough(std::string_view field, std::size_t values, bool per_vertex) {
     const std::size_t expected = per_vertex ? polygons_.positions.size() : polygons_.face_count();
     if (values >= expected) return true;
-    reader_.error_at(field,
-                     fmt::format("the field '{}' has {} values, expected {}", field, values, expected));
+    reader_.error_at(field, fmt::format("the field '{}' has {}, expected {}", field,
+                                        counted(values, "value", "values"), expected));
     return false;
   }
 

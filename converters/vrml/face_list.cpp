@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "converters/wording.h"
+
 namespace convert::vrml {
 namespace {
 
@@ -80,11 +82,12 @@ std::optional<std::vector<std::uint32_t>> FaceList::bound(const NodeReader& node
     const auto [value, place] = bound_index(binding, indices, i);
     if (!is_index(value, value_count)) {
       if (indices.empty()) {
-        node.error_at(index_field, fmt::format("there are {} values for '{}', too few for the faces",
-                                               value_count, index_field));
+        node.error_at(index_field, fmt::format("there {} {} for '{}', too few for the faces",
+                                               value_count == 1 ? "is" : "are",
+                                               counted(value_count, "value", "values"), index_field));
       } else if (place >= indices.size()) {
-        node.error_at(index_field, fmt::format("the list '{}' has {} indices, too few for the faces",
-                                               index_field, indices.size()));
+        node.error_at(index_field, fmt::format("the list '{}' has {}, too few for the faces", index_field,
+                                               counted(indices.size(), "index", "indices")));
       } else {
         node.error_at_number(index_field, place,
                              fmt::format("the index {} in '{}' is of no value: there are {}", value,

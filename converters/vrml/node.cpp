@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "converters/vrml/lexer.h"
+#include "converters/wording.h"
 
 namespace convert::vrml {
 
@@ -29,8 +30,8 @@ std::span<const double> NodeReader::exactly(std::string_view name, std::size_t c
       name, count == 1 ? std::string("a number") : fmt::format("{} numbers", count));
   if (numbers == nullptr) return {};
   if (numbers->size() == count) return *numbers;
-  error_at(name, fmt::format("the field '{}' has {} number{}, expected {}", name, numbers->size(),
-                             numbers->size() == 1 ? "" : "s", count));
+  error_at(name, fmt::format("the field '{}' has {}, expected {}", name,
+                             counted(numbers->size(), "number", "numbers"), count));
   return {};
 }
 
@@ -78,8 +79,8 @@ std::span<const double> NodeReader::numbers(std::string_view name, std::size_t g
   const auto* numbers = value<std::vector<double>>(name, "a list of numbers");
   if (numbers == nullptr) return {};
   if (numbers->size() % group_size == 0) return *numbers;
-  error_at(name, fmt::format("the field '{}' has {} numbers, which is not a multiple of {}", name,
-                             numbers->size(), group_size));
+  error_at(name, fmt::format("the field '{}' has {}, which is not a multiple of {}", name,
+                             counted(numbers->size(), "number", "numbers"), group_size));
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QScopedValueRollback>
+#include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -27,6 +28,8 @@ constexpr int TileMargin = Grid / 2;
 /// The light alone shows a white diffuse surface as white, and the sky adds to it.
 constexpr double PictureStops = -1;
 constexpr int PictureSamples = 32;
+
+constexpr const char* FolderSetting = "library/folder";
 
 grf::BrdfModel preset_of(std::string_view text) {
   grf::Diagnostics diagnostics;
@@ -144,7 +147,12 @@ BrdfLibrary::BrdfLibrary(QWidget* parent) : QWidget(parent) {
   connect(list_, &QListWidget::itemSelectionChanged, this, &BrdfLibrary::show_state);
   connect(list_, &QListWidget::itemChanged, this, &BrdfLibrary::rename);
   connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, &BrdfLibrary::reload);
-  reload();
+  const QString folder = QSettings().value(FolderSetting).toString();
+  if (QFileInfo(folder).isDir()) {
+    set_folder(folder);
+  } else {
+    reload();
+  }
 }
 
 void BrdfLibrary::build_controls() {
@@ -191,6 +199,7 @@ void BrdfLibrary::set_definitions(Definitions definitions) {
 void BrdfLibrary::set_folder(const QString& path) {
   if (!watcher_.directories().empty()) watcher_.removePaths(watcher_.directories());
   folder_ = LibraryFolder(path);
+  QSettings().setValue(FolderSetting, path);
   if (QFileInfo(path).isDir()) watcher_.addPath(path);
   reload();
 }
@@ -287,7 +296,7 @@ void BrdfLibrary::add() {
   if (!current_) return;
   const QString name = folder_.free_name(QString::fromStdString(current_->keyword));
   const QString problem = folder_.add(name, *current_);
-  if (!problem.isEmpty()) return fail(problem);
+  if (!problem.isEmpty()) return show_or_hide(message_, problem);
   set_folder(folder_.path());
   for (std::size_t i = 0; i < list_->entries().size(); ++i) {
     const LibraryEntry& entry = list_->entries()[i];
@@ -307,7 +316,7 @@ void BrdfLibrary::rename(QListWidgetItem* item) {
       this,
       [this, problem] {
         reload();
-        if (!problem.isEmpty()) fail(problem);
+        if (!problem.isEmpty()) show_or_hide(message_, problem);
       },
       Qt::QueuedConnection);
 }
@@ -317,7 +326,7 @@ void BrdfLibrary::remove() {
   if (entry == nullptr) return;
   const QString problem = folder_.remove(entry->name);
   reload();
-  if (!problem.isEmpty()) fail(problem);
+  if (!problem.isEmpty()) show_or_hide(message_, problem);
 }
 
 void BrdfLibrary::choose_folder() {
@@ -326,11 +335,6 @@ void BrdfLibrary::choose_folder() {
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, &BrdfLibrary::set_folder);
   dialog->open();
-}
-
-void BrdfLibrary::fail(const QString& problem) {
-  show_or_hide(message_, problem);
-  emit failed(problem);
 }
 
 }  // namespace editor

@@ -56,7 +56,7 @@ class BrdfLibrary : public QWidget {
   explicit BrdfLibrary(QWidget* parent = nullptr);
 
   void set_definitions(Definitions definitions);
-  /// Sets the folder, which is watched for external changes.
+  /// Sets the folder, which is watched for external changes and remembered for the next library.
   void set_folder(const QString& path);
   /// Sets the BRDF that the Save button adds; without one the button is disabled.
   void set_current(const std::optional<grf::BrdfModel>& brdf);
@@ -67,7 +67,6 @@ class BrdfLibrary : public QWidget {
  signals:
   /// Emitted on double click or Return. The name is that of the definition, for entries of the scene.
   void chosen(const grf::BrdfModel& brdf, const QString& definition_name);
-  void failed(const QString& message);
 
  private:
   void build_controls();
@@ -78,7 +77,6 @@ class BrdfLibrary : public QWidget {
   void rename(QListWidgetItem* item);
   void remove();
   void choose_folder();
-  void fail(const QString& problem);
   void picture_next();
 
   Definitions definitions_;

@@ -312,9 +312,7 @@ void BrdfPlots::choose_export() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     const QString message = export_to(path);
-    if (message.isEmpty()) return;
-    show_words(message, true);
-    emit failed(message);
+    if (!message.isEmpty()) show_words(message, true);
   });
   dialog->open();
 }

@@ -46,8 +46,7 @@ class BrdfPlots : public QWidget {
   QString export_to(const QString& path);
 
  signals:
-  void updated();                       ///< the plot was redrawn with new values
-  void failed(const QString& message);  ///< an export failed
+  void updated();  ///< the plot was redrawn with new values
 
  protected:
   void changeEvent(QEvent* event) override;

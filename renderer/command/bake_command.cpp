@@ -10,6 +10,7 @@
 #include "grf/relocate.h"
 #include "grf/text_file.h"
 #include "grf/visit.h"
+#include "grf/wording.h"
 #include "grf/write.h"
 #include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_output.h"
@@ -20,6 +21,7 @@
 namespace command {
 namespace {
 
+using grf::counted;
 using grf::Diagnostics;
 using grf::ExitCode;
 using options::RenderOptions;
@@ -54,19 +56,21 @@ void warn(const Bake& bake, const transport::BakedScene& baked, const std::strin
   const grf::SourceLocation file = grf::whole_file(scene);
   if (baked.copies > 0) {
     diagnostics.warning(file,
-                        fmt::format("{} meshes are placed by 'use' more than once; the irradiance of each "
-                                    "instance differs, so {} copies of them are written",
-                                    baked.shared_meshes, baked.copies));
+                        fmt::format("{} placed by 'use' more than once; the irradiance of each instance "
+                                    "differs, so {} written",
+                                    counted(baked.shared_meshes, "mesh is", "meshes are"),
+                                    counted(baked.copies, "copy is", "copies are")));
   }
   if (const std::size_t without = bake.vertex_count() - bake.value_count(); without > 0) {
-    diagnostics.warning(file, fmt::format("{} vertices have no irradiance: they have no face with area, or "
-                                          "the bake was stopped before them",
-                                          without));
+    diagnostics.warning(
+        file,
+        counted(
+            without, "vertex has no irradiance: it has no face with area, or the bake was stopped before it",
+            "vertices have no irradiance: they have no face with area, or the bake was stopped before them"));
   }
   if (const std::uint64_t rejected = bake.totals().rejected; rejected > 0) {
-    diagnostics.warning(file, fmt::format("{} samples were not finite (NaN or infinite) and count as black; "
-                                          "the first is at vertex {}",
-                                          rejected, bake.totals().first_rejected));
+    diagnostics.warning(
+        file, fmt::format("{} at vertex {}", rejected_samples_text(rejected), bake.totals().first_rejected));
   }
 }
 
@@ -95,8 +99,9 @@ void print_summary(const Bake& bake, const BakeArguments& arguments) {
   const bool has_lines = arguments.progress == "json";
   if (arguments.json) fmt::print("{}\n", summary.dump(has_lines ? -1 : 2));
   if (arguments.json || has_lines) return;
-  fmt::print("{}: irradiance at {} vertices, {:.4g} samples per vertex, in {}\n", arguments.output,
-             bake.value_count(), bake.samples_per_vertex(), duration_text(bake.totals().seconds));
+  fmt::print("{}: irradiance at {}, {} per vertex, in {}\n", arguments.output,
+             counted(bake.value_count(), "vertex", "vertices"), samples_text(bake.samples_per_vertex()),
+             duration_text(bake.totals().seconds));
   if (error) fmt::print("  estimated error {:.2f} %\n", 100 * *error);
 }
 

@@ -24,7 +24,7 @@ struct AxisOption {
   std::string_view flag;
   std::string_view key;
   std::string_view scheme;     ///< the only scheme that uses it; empty: any
-  std::string_view name_text;  ///< format of a line's name, with {} for the value
+  std::string_view name_text;  ///< format of a line's name, with {} for the value; a plural, if it counts
   std::string_view mode = {};  ///< the only mode of the scheme that uses it; empty: any
 };
 
@@ -124,6 +124,12 @@ bool divide_by_scheme(const std::string& list, Lines& lines) {
   return true;
 }
 
+std::string name_of(const AxisOption& axis, const std::string& value) {
+  std::string name = fmt::format(fmt::runtime(axis.name_text), value);
+  if (value == "1" && name.ends_with('s')) name.pop_back();
+  return name;
+}
+
 /// Appends a copy of the line per value.
 bool divide(const AxisOption& axis, const std::vector<std::string>& values, const CostLine& line,
             Lines& divided) {
@@ -132,7 +138,7 @@ bool divide(const AxisOption& axis, const std::vector<std::string>& values, cons
     CostLine copy = line;
     const auto problem = set_option(copy.options, option, words_of(option, value));
     if (problem) return fail(axis.flag, *problem);
-    if (values.size() > 1) join(copy.name, fmt::format(fmt::runtime(axis.name_text), value));
+    if (values.size() > 1) join(copy.name, name_of(axis, value));
     divided.push_back(std::move(copy));
   }
   return true;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "grf/wording.h"
 #include "renderer/job/render_job.h"
 #include "renderer/transport/plan/table_bytes.h"
 
@@ -79,7 +80,7 @@ Json report_of(const grf::Scene& scene, const job::RenderPlan& planned, Diagnost
 }
 
 std::string bytes_text(const Json& bytes) {
-  return bytes.is_null() ? "unknown size" : fmt::format("{} bytes", bytes.get<std::uint64_t>());
+  return bytes.is_null() ? "unknown size" : grf::counted(bytes.get<std::size_t>(), "byte", "bytes");
 }
 
 void print_text(const Json& report) {
@@ -101,10 +102,9 @@ void print_text(const Json& report) {
   }
   fmt::print("depth {}: {}\n", report["depth"].get<int>(), report["why_depth"].get<std::string>());
   const Json& saved = report["saved"];
-  fmt::print(
-      "saved: {} bytes of tables (built here only to measure them), {} bytes of texture files, {} bounces\n",
-      saved["table_bytes"].get<std::uint64_t>(), saved["texture_file_bytes"].get<std::uint64_t>(),
-      saved["scatterings"].get<int>());
+  fmt::print("saved: {} of tables (built here only to measure them), {} of texture files, {}\n",
+             bytes_text(saved["table_bytes"]), bytes_text(saved["texture_file_bytes"]),
+             grf::counted(saved["scatterings"].get<std::size_t>(), "bounce", "bounces"));
 }
 
 }  // namespace

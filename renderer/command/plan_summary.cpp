@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "grf/wording.h"
+
 namespace command {
 namespace {
 
@@ -62,9 +64,11 @@ std::string left_out_line(const nlohmann::json& summary) {
   for (const nlohmann::json& one : summary["left_out"]) names.push_back(one["name"]);
   if (names.empty()) return "nothing left out";
   const nlohmann::json& saved = summary["saved"];
-  return fmt::format("left out: {}; this saved {} tables, {} bytes of texture files and {} bounces per path",
-                     fmt::join(names, ", "), saved["tables"].get<int>(),
-                     saved["texture_file_bytes"].get<std::uint64_t>(), saved["scatterings"].get<int>());
+  return fmt::format("left out: {}; this saved {}, {} of texture files and {} per path",
+                     fmt::join(names, ", "),
+                     grf::counted(saved["tables"].get<std::size_t>(), "table", "tables"),
+                     grf::counted(saved["texture_file_bytes"].get<std::size_t>(), "byte", "bytes"),
+                     grf::counted(saved["scatterings"].get<std::size_t>(), "bounce", "bounces"));
 }
 
 }  // namespace command

@@ -50,10 +50,11 @@ nlohmann::json whole_if_exact(double number) {
   return static_cast<double>(whole) == number ? nlohmann::json(whole) : nlohmann::json(number);
 }
 
-nlohmann::json summary_of(const transport::Render& render, const RenderOptions& render_options,
-                          const std::string& output, double setup_seconds, const transport::Plan& plan) {
+nlohmann::json summary_of(const transport::Render& render,
+                          const std::optional<transport::ErrorEstimate>& estimate,
+                          const RenderOptions& render_options, const std::string& output,
+                          double setup_seconds, const transport::Plan& plan) {
   const double seconds = render.seconds();
-  const auto estimate = render.error_estimate();
   nlohmann::json summary;
   summary["output"] = output;
   summary["width"] = render_options.size.width;
@@ -79,8 +80,8 @@ void print(const nlohmann::json& summary, const RenderArguments& arguments) {
   if (arguments.json) fmt::print("{}\n", summary.dump(has_lines ? -1 : 2));
   if (arguments.json || has_lines) return;
   const auto number = [&](const char* name) { return summary[name].get<double>(); };
-  fmt::print("{}: {}x{} pixels, {:.4g} samples per pixel\n", summary["output"].get<std::string>(),
-             summary["width"].get<int>(), summary["height"].get<int>(), number("samples"));
+  fmt::print("{}: {}x{} pixels, {} per pixel\n", summary["output"].get<std::string>(),
+             summary["width"].get<int>(), summary["height"].get<int>(), samples_text(number("samples")));
   fmt::print("  setup {}, render {} ({:.2f} million paths and {:.2f} million rays per second)\n",
              duration_text(number("setup_seconds")), duration_text(number("render_seconds")),
              number("paths_per_second") / 1e6, number("rays_per_second") / 1e6);
@@ -108,19 +109,19 @@ std::string cause_text(const transport::NotFinite& cause, const CompiledScene& s
 }
 
 /// Writes the image and the reports, and prints errors.
-bool keep(const transport::Render& render, const CompiledScene& scene, const transport::View& view,
-          const RenderOptions& render_options, const std::vector<std::string>& outputs) {
+bool keep(const transport::Render& render, const std::optional<transport::ErrorEstimate>& estimate,
+          const CompiledScene& scene, const transport::View& view, const RenderOptions& render_options,
+          const std::vector<std::string>& outputs) {
   Diagnostics diagnostics;
   const transport::RenderTotals totals = render.totals();
   if (totals.rejected > 0) {
     const auto width = static_cast<std::uint64_t>(render_options.size.width);
     diagnostics.warning(
-        {}, fmt::format("{} samples were not finite (NaN or infinite) and count as black; the first is in "
-                        "pixel ({}, {}): {}",
-                        totals.rejected, totals.first_rejected % width, totals.first_rejected / width,
+        {}, fmt::format("{} in pixel ({}, {}): {}", rejected_samples_text(totals.rejected),
+                        totals.first_rejected % width, totals.first_rejected / width,
                         cause_text(render.cause_of_rejection().value_or(transport::NotFinite()), scene)));
   }
-  const transport::ImageFile file = image_file_of(render, scene, view, render_options);
+  const transport::ImageFile file = image_file_of(render, estimate, scene, view, render_options);
   const std::vector<std::string> fallbacks = transport::fallback_folders();
   bool kept = true;
   for (const std::string& output : outputs) {
@@ -180,11 +181,13 @@ grf::ExitCode render(const RenderArguments& arguments) {
   Diagnostics of_run;
   const bool has_run = run(*render, signal_handler, settings, progress, of_run);
   print(of_run);
-  if (!has_run || !keep(*render, job->scene, job->settings.view, *render_options, outputs)) {
+  if (!has_run) return ExitCode::BadInput;
+  const auto estimate = render->error_estimate();
+  if (!keep(*render, estimate, job->scene, job->settings.view, *render_options, outputs)) {
     return ExitCode::BadInput;
   }
   progress.finish(render->progress(), outputs.front());
-  print(summary_of(*render, *render_options, outputs.front(), setup_seconds, job->plan), arguments);
+  print(summary_of(*render, estimate, *render_options, outputs.front(), setup_seconds, job->plan), arguments);
   return signal_handler.was_signalled() ? ExitCode::Interrupted : ExitCode::Done;
 }
 

@@ -115,8 +115,10 @@ bool can_write(const std::vector<std::string>& outputs, const RenderOptions& ren
   return true;
 }
 
-transport::ImageFile image_file_of(const transport::Render& render, const transport::CompiledScene& scene,
-                                   const transport::View& view, const RenderOptions& render_options) {
+transport::ImageFile image_file_of(const transport::Render& render,
+                                   const std::optional<transport::ErrorEstimate>& estimate,
+                                   const transport::CompiledScene& scene, const transport::View& view,
+                                   const RenderOptions& render_options) {
   const Film& film = render.film();
   const transport::Camera camera(view, film.width(), film.height());
   transport::ImageFile file;
@@ -135,7 +137,7 @@ transport::ImageFile image_file_of(const transport::Render& render, const transp
   file.attributes.push_back({"worldToNDC", camera.world_to_image()});
   file.attributes.push_back({"renderSeconds", static_cast<float>(render.seconds())});
   file.attributes.push_back({"samplesPerPixel", static_cast<float>(mean_samples(film))});
-  if (const auto estimate = render.error_estimate()) {
+  if (estimate) {
     file.attributes.push_back({"estimatedError", static_cast<float>(estimate->error)});
     file.attributes.push_back({"estimatedErrorLow", static_cast<float>(estimate->low)});
     file.attributes.push_back({"estimatedErrorHigh", static_cast<float>(estimate->high)});

@@ -1,6 +1,7 @@
 // The image file of a render holds layers and attributes besides the image.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,8 +23,10 @@ bool can_write_file(const std::string& path, std::string_view what, grf::Diagnos
 
 /// Returns the image of a finished render with the requested layers and with attributes: each option by its
 /// key (for camera and samples, the values used), the camera, the program's version, the render time in
-/// seconds, the samples per pixel and the estimated error.
-transport::ImageFile image_file_of(const transport::Render& render, const transport::CompiledScene& scene,
-                                   const transport::View& view, const options::RenderOptions& render_options);
+/// seconds, the samples per pixel and the given error estimate.
+transport::ImageFile image_file_of(const transport::Render& render,
+                                   const std::optional<transport::ErrorEstimate>& estimate,
+                                   const transport::CompiledScene& scene, const transport::View& view,
+                                   const options::RenderOptions& render_options);
 
 }  // namespace command

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "grf/wording.h"
+
 namespace command {
 namespace {
 
@@ -77,6 +79,15 @@ std::string duration_text(double seconds) {
   const auto whole = static_cast<long>(std::lround(seconds));
   if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::string samples_text(double samples) {
+  return fmt::format("{:.4g} {}", samples, samples == 1 ? "sample" : "samples");
+}
+
+std::string rejected_samples_text(std::uint64_t count) {
+  return grf::counted(count, "sample was not finite (NaN or infinite) and counts as black; it is",
+                      "samples were not finite (NaN or infinite) and count as black; the first is");
 }
 
 }  // namespace command

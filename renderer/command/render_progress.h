@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -37,5 +38,11 @@ class ProgressReport {
 
 /// Formats a duration: `12.3 s`, `4 min 05 s`, `2 h 07 min`.
 std::string duration_text(double seconds);
+
+/// Formats a mean number of samples: `1 sample`, `1.5 samples`.
+std::string samples_text(double samples);
+
+/// The beginning of a warning of samples that were not finite, which ends by the place of the first.
+std::string rejected_samples_text(std::uint64_t count);
 
 }  // namespace command

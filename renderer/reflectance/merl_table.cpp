@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "grf/text_file.h"
+#include "grf/wording.h"
 
 namespace reflectance {
 namespace {
@@ -86,7 +87,7 @@ std::shared_ptr<const MerlTable> MerlTable::load(const std::string& path, grf::D
     return nullptr;
   };
   if (bytes->size() < HeaderSize)
-    return fail(fmt::format("{} bytes are too few for its header", bytes->size()));
+    return fail(grf::counted(bytes->size(), "byte is", "bytes are") + " too few for its header");
   std::array<std::int32_t, 3> dimensions = {};
   std::memcpy(dimensions.data(), bytes->data(), HeaderSize);
   if (dimensions != Dimensions) {

@@ -110,8 +110,7 @@ TEST_F(BptBake, WarnsOfMeshesInManyPlaces) {
             "light begin rgb (5,5,5) (0,0,3) (0,1,0) (1,0,0) end\n");
   const Outcome outcome = bpt({"bake", scene, "-o", path("a.igrf"), "--samples", "4"});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_NE(outcome.err.find("1 meshes are placed by 'use' more than once"), std::string::npos)
-      << outcome.err;
+  EXPECT_NE(outcome.err.find("1 mesh is placed by 'use' more than once"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("2 vertices have no irradiance"), std::string::npos) << outcome.err;
   EXPECT_NE(test::bytes_of(path("a.igrf")).find("use tile$2"), std::string::npos);
 }

@@ -156,6 +156,7 @@ TEST_F(BptCost, GivesALineToEachCombination) {
   EXPECT_EQ(lines({"--integrator", "naive,path", "--depth", "1,2"}),
             (Names{"naive, depth 1", "naive, depth 2", "path, depth 1", "path, depth 2"}));
   EXPECT_EQ(lines({"--trees", "3,5"}), (Names{"3 trees", "5 trees"}));
+  EXPECT_EQ(lines({"--trees", "1,10"}), (Names{"1 tree", "10 trees"}));
   EXPECT_EQ(lines({"--resolution", "8,16"}), (Names{"8 cells", "16 cells"}));
   EXPECT_EQ(lines({"--factors", "1x1,2x2"}), (Names{"1x1 factors", "2x2 factors"}));
   EXPECT_EQ(lines({"--pdf", "own, adaptive mode=reject nQT=3, Disk", "--trees", "3,5"}),

@@ -52,7 +52,9 @@ TEST_F(Bpt, SummarisesAsJson) {
 
 TEST_F(Bpt, WritesBesideTheSceneUnlessTold) {
   const std::string scene = write("scene.grf", Quad);
-  EXPECT_EQ(bpt({"render", scene, "--size", "8x8", "--samples", "1"}).exit_code, 0);
+  const Outcome outcome = bpt({"render", scene, "--size", "8x8", "--samples", "1"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.out.find("8x8 pixels, 1 sample per pixel"), std::string::npos) << outcome.out;
   EXPECT_TRUE(std::filesystem::exists(path("scene.exr")));
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "grf/wording.h"
 #include "renderer/reflectance/glsl_functions.h"
 
 namespace transport {
@@ -217,10 +218,11 @@ std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf:
   if (!image) return std::nullopt;
   EnvironmentMap map(std::move(*image));
   if (map.invalid_texels() > 0) {
-    diagnostics.warning(
-        asked_for_at.file ? asked_for_at : grf::whole_file(path),
-        fmt::format("{} of {} texels of the environment map are negative or not finite, and count as 0 there",
-                    map.invalid_texels(), map.image().pixels.size()));
+    diagnostics.warning(asked_for_at.file ? asked_for_at : grf::whole_file(path),
+                        fmt::format("{} of {} of the environment map {} as 0 there", map.invalid_texels(),
+                                    grf::counted(map.image().pixels.size(), "texel", "texels"),
+                                    map.invalid_texels() == 1 ? "is negative or not finite, and counts"
+                                                              : "are negative or not finite, and count"));
   }
   return map;
 }

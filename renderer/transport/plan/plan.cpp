@@ -9,17 +9,17 @@
 
 #include <fmt/format.h>
 
+#include "grf/wording.h"
+
 namespace transport {
 namespace {
+
+using grf::counted;
 
 struct Answer {
   bool is_needed;
   std::string why;
 };
-
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 std::string faces(std::size_t count) { return counted(count, "face", "faces"); }
 

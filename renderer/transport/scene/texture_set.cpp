@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "grf/text_file.h"
+#include "grf/wording.h"
 #include "renderer/parallel/loops.h"
 
 namespace transport {
@@ -34,8 +35,10 @@ void read(const std::string& path, const grf::SourceLocation& asked_for_at, cons
   }
   const std::size_t wrong = file.texture->invalid_texels();
   if (wrong == 0) return;
-  result.diagnostics.warning(
-      asked_for_at, fmt::format("'{}': {} texels are negative or not finite, and count as 0", path, wrong));
+  result.diagnostics.warning(asked_for_at,
+                             fmt::format("'{}': {} as 0", path,
+                                         grf::counted(wrong, "texel is negative or not finite, and counts",
+                                                      "texels are negative or not finite, and count")));
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ TEST(ThreeDs, BrokenFilesAreErrorsWithAnOffset) {
   EXPECT_FALSE(index.scene.has_value());
   EXPECT_THAT(index.text(), HasSubstr("error: a face of the object 'fold' has vertex 4 of 4"));
   EXPECT_THAT(read_object({Fold, FoldFaces, {}, {}, {0, 0}}).text(),
-              HasSubstr("error: the object 'fold' has 1 texture coordinates for 4 vertices"));
+              HasSubstr("error: the object 'fold' has 1 texture coordinate for 4 vertices"));
   const std::string list = chunk(0x4110, word(9) + floats({0, 0, 0}));
   const Reading cut = read_bytes("cut.3ds", three_ds_file(chunk(0x4000, text("cut") + chunk(0x4100, list))));
   EXPECT_FALSE(cut.scene.has_value());

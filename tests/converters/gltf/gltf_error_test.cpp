@@ -43,7 +43,7 @@ TEST(GltfErrors, OfAccessors) {
   expect_error(changed([](auto& m) {
                  m.attributes()["NORMAL"] = m.floats({0, 0, 1}, "VEC3");
                }),
-               "NORMAL has 1 values for 3 vertices");
+               "NORMAL has 1 value for 3 vertices");
   expect_error(changed([](auto& m) { m.json["bufferViews"][0]["byteStride"] = 4; }),
                "elements of 12 bytes, 4 bytes from one to the next");
   expect_error(changed([](auto& m) {

@@ -198,7 +198,7 @@ TEST(Vrml1Materials, OfFaces) {
   }
   EXPECT_THAT(
       read_vrml1(Points + Colours + binding("PER_FACE_INDEXED") + Faces + "materialIndex [ 0 ] }").text(),
-      HasSubstr("the list 'materialIndex' has 1 indices, too few"));
+      HasSubstr("the list 'materialIndex' has 1 index, too few"));
 }
 
 TEST(Vrml1Materials, OfFacesThatDifferInMoreThanTheirColour) {

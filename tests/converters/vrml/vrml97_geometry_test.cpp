@@ -132,7 +132,7 @@ TEST(VrmlFaceSet, EmptyListsAreNone) {
 
 TEST(VrmlFaceSet, TooFewValuesAreErrors) {
   EXPECT_THAT(error_of_geometry(square("normal Normal { vector [ 0 0 1 ] }")),
-              HasSubstr("there are 1 values for 'normalIndex', too few for the faces"));
+              HasSubstr("there is 1 value for 'normalIndex', too few for the faces"));
   EXPECT_THAT(error_of_geometry(square("color Color { color [ 0 0 1 ] } colorIndex [ 0 0 0 -1 0 0 ]")),
               HasSubstr("the list 'colorIndex' has 6 indices, too few for the faces"));
   EXPECT_THAT(error_of_geometry(
@@ -329,11 +329,11 @@ TEST(VrmlElevationGrid, HasWhatBelongsToVerticesAndFaces) {
 
 TEST(VrmlElevationGrid, MustHaveAHeightForEachVertex) {
   EXPECT_THAT(error_of_geometry("ElevationGrid { xDimension 2000000000 zDimension 2000000000 height [ 1 ] }"),
-              HasSubstr("the field 'height' has 1 numbers, expected 2000000000 times 2000000000"));
+              HasSubstr("the field 'height' has 1 number, expected 2000000000 times 2000000000"));
   EXPECT_THAT(error_of_geometry("ElevationGrid { xDimension 1.5 }"),
               HasSubstr("'xDimension' is a whole number"));
   EXPECT_THAT(error_of_geometry(Grid + "color Color { color [ 1 0 0 ] } }"),
-              HasSubstr("'color' has 1 values, expected 6"));
+              HasSubstr("'color' has 1 value, expected 6"));
   EXPECT_THAT(error_of_geometry("ElevationGrid { xDimension -1 zDimension -1 }"), HasSubstr("no faces"));
 }
 

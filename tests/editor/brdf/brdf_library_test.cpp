@@ -1,7 +1,9 @@
 #include "editor/brdf/brdf_library.h"
 
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -132,6 +134,35 @@ TEST(BrdfLibrary, KeepsRenamesAndRemoves) {
   QTest::mouseClick(button_of(library, "Remove"), Qt::LeftButton);
   EXPECT_EQ(row_of(library.list(), "terracotta"), -1);
   EXPECT_FALSE(QFile::exists(home.filePath("mine/terracotta.brdf")));
+}
+
+TEST(BrdfLibrary, OpensTheFolderThatWasSetBefore) {
+  QSettings().clear();
+  QTemporaryDir home;
+  const LibraryFolder folder(home.filePath("mine"));
+  ASSERT_EQ(folder.add("terracotta", brdf_model("oren s=0.4")), "");
+  EXPECT_EQ(row_of(BrdfLibrary().list(), "terracotta"), -1);
+  BrdfLibrary().set_folder(folder.path());
+  BrdfLibrary library;
+  EXPECT_GE(row_of(library.list(), "terracotta"), 0);
+  ASSERT_EQ(folder.add("sand", brdf_model("oren s=0.3")), "");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return row_of(library.list(), "sand") >= 0; })) << "it is watched";
+  QSettings().clear();
+}
+
+TEST(BrdfLibrary, HasNoFolderWhereThatOfBeforeIsGone) {
+  QSettings().clear();
+  QTemporaryDir home;
+  BrdfLibrary().set_folder(home.path());
+  ASSERT_TRUE(home.remove());
+  BrdfLibrary library;
+  library.set_current(brdf_model("oren s=0.4"));
+  const auto* add = button_of(library, "Save the BRDF to the library");
+  EXPECT_FALSE(add->isEnabled());
+  EXPECT_EQ(add->toolTip(), "Choose a folder for the library first");
+  for (const QLabel* label : library.findChildren<QLabel*>()) EXPECT_EQ(label->text(), "");
+  EXPECT_FALSE(library.list().entries().empty()) << "presets";
+  QSettings().clear();
 }
 
 TEST(BrdfLibrary, SharesDefinitionsByName) {

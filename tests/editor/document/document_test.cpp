@@ -2,7 +2,9 @@
 
 #include <QDir>
 #include <QFile>
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -124,6 +126,54 @@ TEST_F(Documents, MergeTheStepsOfAGesture) {
   document_.undo_stack().undo();
   document_.undo_stack().undo();
   EXPECT_EQ(document_.scene(), scene_of(Scene));
+}
+
+TEST(Gestures, KeepTheFacesOfEachStep) {
+  // With the BRDFs that the steps set at first on the last two faces, the steps change faces only.
+  for (const bool are_there : {true, false}) {
+    SCOPED_TRACE(are_there);
+    std::string faces;
+    for (int face = 0; face < 15; ++face) faces += "(0, 1, 2) ";
+    if (are_there) faces += "brdf ward (0, 1, 2) brdf phong (0, 1, 2) ";
+    Document document;
+    document.take(
+        scene_of(
+            "begin mesh brdf diffuse begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end vertexs begin faces " +
+            faces + "end faces end mesh"),
+        {}, {});
+    const auto brdf_of = [&document](std::size_t face) {
+      return std::get<grf::BrdfModel>(*document.objects().meshes[0].mesh->surface(face).brdf).keyword;
+    };
+    const auto brdfs = [&] {
+      std::vector<std::string> keywords;
+      for (std::size_t face = 0; face < 15; ++face) keywords.push_back(brdf_of(face));
+      return keywords;
+    };
+    const auto assign = [&](std::size_t first, std::size_t end, const std::string& keyword) {
+      grf::Scene scene = document.scene();
+      grf::Mesh& mesh = grf::find_mesh(scene, document.objects().meshes[0].path)->edit();
+      grf::Surface surface = mesh.surfaces.front();
+      surface.brdf = grf::BrdfModel();
+      std::get<grf::BrdfModel>(*surface.brdf).keyword = keyword;
+      const auto found = std::ranges::find(mesh.surfaces, surface);
+      const auto index = static_cast<std::uint32_t>(found - mesh.surfaces.begin());
+      if (found == mesh.surfaces.end()) mesh.surfaces.push_back(surface);
+      for (std::size_t face = first; face < end; ++face) mesh.surface_of_face.edit()[face] = index;
+      document.replace("Assign", scene, "assign");
+    };
+    const std::vector<std::string> before(15, "diffuse");
+    std::vector<std::string> after(5, "ward");
+    after.insert(after.end(), 10, "phong");
+    assign(0, 10, "ward");
+    assign(5, 15, "phong");
+    document.finish_gesture();
+    EXPECT_EQ(document.undo_stack().count(), 1);
+    EXPECT_EQ(brdfs(), after);
+    document.undo_stack().undo();
+    EXPECT_EQ(brdfs(), before);
+    document.undo_stack().redo();
+    EXPECT_EQ(brdfs(), after);
+  }
 }
 
 TEST_F(Documents, CopyWhatAFaceHas) {

@@ -130,7 +130,7 @@ TEST_F(IrradianceBakeTest, WritesRepeatedMeshesOutAndSaysSo) {
   bake(scene, path("scene.grf"), with_samples(4));
   ASSERT_TRUE(ends());
   ASSERT_TRUE(scene_) << why_;
-  EXPECT_THAT(result_.messages.toStdString(), HasSubstr("copies of them are written"));
+  EXPECT_THAT(result_.messages.toStdString(), HasSubstr("1 mesh is placed by 'use' more than once"));
   EXPECT_THAT(grf::to_text(*scene_), HasSubstr("use tile$2"));
 }
 

@@ -1,0 +1,66 @@
+#include <string>
+#include <string_view>
+
+#include "tests/cli/bpt.h"
+
+namespace {
+
+using std::string_view_literals::operator""sv;
+using test::Outcome;
+
+// An image of 2 x 2 pixels by hand. PFM has rows from the bottom, here in big-endian; raw has width and
+// height, then rows from the top, all in little-endian. The floats 1, 2, 0.5, -1, 0 and 1/3 are 3f800000,
+// 40000000, 3f000000, bf800000, 0 and 3eaaaaab.
+
+constexpr std::string_view Pfm =
+    "PF\n2 2\n1\n"
+    "\xbf\x80\x00\x00\x00\x00\x00\x00\x3e\xaa\xaa\xab"
+    "\x3f\x00\x00\x00\x3f\x00\x00\x00\x3f\x00\x00\x00"
+    "\x3f\x80\x00\x00\x40\x00\x00\x00\x3f\x00\x00\x00"
+    "\x00\x00\x00\x00\x3f\x80\x00\x00\x40\x00\x00\x00"sv;
+
+constexpr std::string_view Raw =
+    "\x02\x00\x00\x00\x02\x00\x00\x00"
+    "\x00\x00\x80\x3f\x00\x00\x00\x40\x00\x00\x00\x3f"
+    "\x00\x00\x00\x00\x00\x00\x80\x3f\x00\x00\x00\x40"
+    "\x00\x00\x80\xbf\x00\x00\x00\x00\xab\xaa\xaa\x3e"
+    "\x00\x00\x00\x3f\x00\x00\x00\x3f\x00\x00\x00\x3f"sv;
+
+class BptDecode : public test::Bpt {
+ protected:
+  /// Expects a failure with one line on standard error, as for programs that name the file themselves.
+  void expect_error(const std::string& image, const std::string& line) const {
+    const Outcome outcome = bpt({"decode", image});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err, line + "\n");
+  }
+};
+
+TEST_F(BptDecode, WritesARawFileToStandardOutput) {
+  const Outcome outcome = bpt({"decode", write("image.pfm", std::string(Pfm))});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.out, Raw);
+  EXPECT_EQ(bpt({"decode", write("image.raw", outcome.out)}).out, Raw);
+}
+
+TEST_F(BptDecode, TakesNamesThatBeginWithAHyphen) {
+  const std::string image = write("image.pfm", std::string(Pfm));
+  EXPECT_EQ(bpt({"decode", "--", image}).out, Raw);
+  EXPECT_EQ(bpt({"decode", "--", "-none.pfm"}).exit_code, 1);
+}
+
+TEST_F(BptDecode, SaysWhyItCannot) {
+  expect_error(write("cut.pfm", std::string(Pfm.substr(0, Pfm.size() - 1))),
+               "cannot read the image: it is damaged (unexpected end of file)");
+  expect_error(
+      write("text.txt", "no image"),
+      "cannot read the image: unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
+  expect_error(write("empty.pfm", ""), "cannot read the image: the file is empty");
+  expect_error(path("none.pfm"), "cannot read the file: No such file or directory");
+  expect_error(folder_.path(), "cannot read the file: it is a directory, expected a file");
+  EXPECT_EQ(bpt({"decode"}).exit_code, 2);
+}
+
+}  // namespace
