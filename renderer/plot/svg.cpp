@@ -97,7 +97,7 @@ std::vector<Point> simplified(std::span<const Point> points) {
 // The colours of the editor's dark theme, and how dark lines are made legible on it.
 const grf::Colour DarkBackground(0x1f / 255.0F, 0x21 / 255.0F, 0x24 / 255.0F);
 const grf::Colour LightText(0.93F);
-constexpr float DarkColour = 0.5F;  // the mean of the greatest channel and of all
+constexpr float DarkColour = 0.6F;  // the mean of the greatest channel and of all
 constexpr float Lightened = 0.3F;   // towards white
 
 using Handle = std::unique_ptr<RsvgHandle, decltype(&g_object_unref)>;

@@ -9,7 +9,7 @@
 
 #include "renderer/plot/fit_file.h"
 #include "tests/cli/bpt_brdf.h"
-#include "tests/plot/reading.h"
+#include "tests/support/svg_reading.h"
 
 namespace {
 

@@ -168,6 +168,19 @@ TEST_F(BptBrdf, PlotsPng) {
   EXPECT_LT(*std::min_element(pixels.begin(), pixels.end()), 50);
 }
 
+TEST_F(BptBrdf, PlotsFitFiles) {
+  const std::string fit = folder_.path("a.fit");
+  const std::string file = folder_.path("a.pdf");
+  json({"sample", "ward sx=0.1", "--pdf", "auto", "--u", "0.6,0.2", "--count", "50", "--fit", fit});
+  EXPECT_EQ(json({"plot", fit, "-o", file})["file"], file);
+  EXPECT_TRUE(test::bytes_of(file).starts_with("%PDF-"));
+  EXPECT_TRUE(test::bytes_of(file).find("%%EOF") != std::string::npos);
+  expect_failure({"plot", folder_.path("gone.fit"), "-o", file}, 1, "gone.fit");
+  folder_.add("cut.fit", "diffuse\nviewer (0.5, 0)\nbegin\n(0, 0");
+  expect_failure({"plot", folder_.path("cut.fit"), "-o", file}, 1,
+                 "cut.fit:4:6: error: found the end of the file");
+}
+
 TEST_F(BptBrdf, RefusesOtherPictures) {
   for (const char* name : {"a.gif", "a", "a.svg.txt"}) {
     expect_failure({"plot", "diffuse", "-o", folder_.path(name)}, 1,

@@ -6,8 +6,8 @@
 
 #include "renderer/command/cost_fit.h"
 #include "tests/cli/bpt.h"
-#include "tests/plot/reading.h"
 #include "tests/support/paths.h"
+#include "tests/support/svg_reading.h"
 
 namespace {
 

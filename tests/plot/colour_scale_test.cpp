@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/plot/reading.h"
+#include "tests/support/svg_reading.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/plot/reading.h"
+#include "tests/support/svg_reading.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -101,6 +101,56 @@ TEST(Picture, IsWrittenAsItsNameSays) {
   EXPECT_FALSE(write_picture(svg, folder.path("none/a.svg"), diagnostics));
   EXPECT_EQ(diagnostics.error_count(), 3U);
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.PNG", "a.svg"}));
+}
+
+// Greys are those of the editor's dark theme, and colours keep their meaning.
+TEST(Svg, IsDrawnOnDarkPaper) {
+  Svg svg(100, 50, plot::Paper::Dark);
+  svg.text({1, 2}, "black", {12, "#000", plot::Anchor::Start, 0});
+  svg.line({0, 0}, {1, 1}, {"#0072b2", 2});
+  svg.rectangle({0, 0}, 5, 5, "#081d58");
+  svg.rectangle({0, 0}, 5, 5, "#fff");
+  svg.line({0, 0}, {1, 1}, {"none", 2});
+  const test::Element root = test::svg_of(svg.str());
+  const auto rectangles = test::elements(root, "rect");
+  ASSERT_EQ(rectangles.size(), 3U);
+  EXPECT_EQ(rectangles[0].get<std::string>("<xmlattr>.fill"), "#1f2124");
+  EXPECT_EQ(rectangles[1].get<std::string>("<xmlattr>.fill"), "#081d58") << "a colour map means what it says";
+  EXPECT_EQ(rectangles[2].get<std::string>("<xmlattr>.fill"), "#1f2124");
+  EXPECT_EQ(test::elements(root, "text").at(0).get<std::string>("<xmlattr>.fill"), "#ededed");
+  const auto lines = test::elements(root, "line");
+  EXPECT_NE(lines.at(0).get<std::string>("<xmlattr>.stroke"), "#0072b2") << "too dark for a line";
+  EXPECT_EQ(lines.at(1).get<std::string>("<xmlattr>.stroke"), "none");
+  EXPECT_EQ(test::elements(test::svg_of(Svg(1, 1).str()), "rect").at(0).get<std::string>("<xmlattr>.fill"),
+            "#fff");
+}
+
+TEST(Svg, ParsesHexadecimalColours) {
+  EXPECT_EQ(plot::colour_of("#f80"), grf::Colour(1, 136 / 255.0F, 0));
+  EXPECT_EQ(plot::colour_of("#336699"), grf::Colour(51 / 255.0F, 102 / 255.0F, 153 / 255.0F));
+  for (const char* other : {"", "#", "#12", "#1234", "#12345g", "red", "#-12", "112233"})
+    EXPECT_FALSE(plot::colour_of(other)) << other;
+}
+
+// A disc of half the picture's width, clipped at the middle, leaves a known part of the pixels dark.
+TEST(Svg, IsRenderedToABitmap) {
+  Svg svg(40, 20);
+  svg.begin_clip({20, 10}, 5);
+  svg.rectangle({0, 0}, 40, 10, "#000");
+  svg.end_clip();
+  const auto bitmap = plot::to_bitmap(svg.str(), 2);
+  ASSERT_TRUE(bitmap);
+  EXPECT_EQ(bitmap->width, 80);
+  EXPECT_EQ(bitmap->height, 40);
+  ASSERT_EQ(bitmap->pixels.size(), 3200U);
+  double dark = 0;
+  for (const std::uint32_t pixel : bitmap->pixels) {
+    EXPECT_EQ(pixel >> 24U, 0xffU);
+    dark += 1 - (pixel & 0xffU) / 255.0;
+  }
+  EXPECT_NEAR(dark, 3.14159 * 10 * 10 / 2, 2) << "half of a circle of 10 pixels";
+  EXPECT_FALSE(plot::to_bitmap("no picture", 1));
+  EXPECT_FALSE(plot::to_pdf("no picture"));
 }
 
 }  // namespace
