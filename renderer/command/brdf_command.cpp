@@ -74,15 +74,12 @@ ExitCode evaluate_lines(const Reflector& reflector, bool json) {
   return ExitCode::Done;
 }
 
-/// Plots a FIT file as the study tool `fitplot` does.
-std::optional<plot::Svg> picture_of_fit(const std::string& path) {
+/// Makes the study of a FIT file as the tool `fitplot` does.
+std::optional<studies::Study> study_of_fit(const std::string& path) {
   studies::ToolState state;
   state.settings.keyword = "fitplot";
   state.files.push_back({path, {}});
-  auto study = printed([&](Diagnostics& diagnostics) { return studies::study_of(state, {}, diagnostics); });
-  if (!study) return std::nullopt;
-  fmt::print(stderr, "{}\n", study->summary);
-  return std::move(study->figure);
+  return printed([&](Diagnostics& diagnostics) { return studies::study_of(state, {}, diagnostics); });
 }
 
 struct InterpolationError {
@@ -242,9 +239,12 @@ ExitCode export_brdf(const BrdfArguments& arguments) {
 ExitCode plot_brdf(const BrdfArguments& arguments) {
   Diagnostics diagnostics;
   std::optional<plot::Svg> picture;
+  std::string summary;
   if (transport::has_extension(arguments.instance, "fit")) {
-    picture = picture_of_fit(arguments.instance);
-    if (!picture) return ExitCode::BadInput;
+    const auto study = study_of_fit(arguments.instance);
+    if (!study) return ExitCode::BadInput;
+    picture = study->figure;
+    summary = study->summary;
   } else if (arguments.pdf.empty()) {
     const auto reflector = reflector_of(arguments);
     if (!reflector) return ExitCode::BadInput;
@@ -266,8 +266,11 @@ ExitCode plot_brdf(const BrdfArguments& arguments) {
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (!written) return ExitCode::BadInput;
   if (arguments.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"file", arguments.output}}.dump());
+    nlohmann::ordered_json result = {{"file", arguments.output}};
+    if (!summary.empty()) result["summary"] = summary;
+    fmt::print("{}\n", result.dump());
   } else {
+    if (!summary.empty()) fmt::print("{}\n", summary);
     fmt::print("{}\n", arguments.output);
   }
   return ExitCode::Done;

@@ -172,7 +172,10 @@ TEST_F(BptBrdf, PlotsFitFiles) {
   const std::string fit = folder_.path("a.fit");
   const std::string file = folder_.path("a.pdf");
   json({"sample", "ward sx=0.1", "--pdf", "auto", "--u", "0.6,0.2", "--count", "50", "--fit", fit});
-  EXPECT_EQ(json({"plot", fit, "-o", file})["file"], file);
+  const nlohmann::json plotted = json({"plot", fit, "-o", file});
+  EXPECT_EQ(plotted["file"], file);
+  const auto summary = plotted["summary"].get<std::string>();
+  EXPECT_TRUE(summary.starts_with("a.fit: 50 directions; all values agree with the BRDF")) << summary;
   EXPECT_TRUE(test::bytes_of(file).starts_with("%PDF-"));
   EXPECT_TRUE(test::bytes_of(file).find("%%EOF") != std::string::npos);
   expect_failure({"plot", folder_.path("gone.fit"), "-o", file}, 1, "gone.fit");
