@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPointer>
 #include <QProgressBar>
 #include <QScrollArea>
 #include <QSettings>
@@ -205,7 +206,7 @@ void StudyWindow::make_edit_menu() {
                        tr("Apply the BRDF to the faces that are selected in the editor")},
                       [this] { emit applied(state_.brdfs.front()); });
   menu->addAction(apply_);
-  set_brdf(state_.brdfs.empty() ? grf::BrdfModel() : state_.brdfs.front(), false);
+  set_apply_target(false);
   remember();
 }
 
@@ -230,16 +231,20 @@ void StudyWindow::make_view_menu() {
 
 bool StudyWindow::is_busy() const { return job_.is_busy() || figure_->is_busy(); }
 
-void StudyWindow::set_brdf(const grf::BrdfModel& brdf, bool may_apply) {
-  may_apply_ = may_apply && tool_.brdfs > 0;
-  apply_->setEnabled(may_apply_);
-  apply_->setToolTip(may_apply_         ? tr("Apply the BRDF to the faces that are selected in the editor")
-                     : tool_.brdfs == 0 ? tr("This tool has no BRDF of its own.")
-                                        : tr("Open this tool from the editor with faces selected."));
+void StudyWindow::set_brdf(const grf::BrdfModel& brdf) {
   if (tool_.brdfs == 0 || state_.brdfs.front() == brdf) return;
   studies::ToolState state = state_;
   state.brdfs.front() = brdf;
   set_state(state);
+}
+
+void StudyWindow::set_apply_target(bool has_target) {
+  const QString why_not = tool_.brdfs == 0 ? tr("This tool has no BRDF of its own.")
+                          : has_target     ? QString()
+                                           : tr("Open this tool from the editor to apply its BRDF to faces.");
+  apply_->setEnabled(why_not.isEmpty());
+  apply_->setToolTip(why_not.isEmpty() ? tr("Apply the BRDF to the faces that are selected in the editor")
+                                       : why_not);
 }
 
 void StudyWindow::set_state(const studies::ToolState& state) {
@@ -277,10 +282,19 @@ void StudyWindow::request() {
   const plot::Paper paper = theme_of(palette()) == Theme::Dark ? plot::Paper::Dark : plot::Paper::White;
   show_busy(true);
   job_.start(
-      [state = state_, paper](const StopFlag& stop) {
+      [window = QPointer<StudyWindow>(this), state = state_, paper](const StopFlag& stop) {
         auto outcome = std::make_shared<Outcome>();
         grf::Diagnostics diagnostics;
-        outcome->study = study_of(state, {paper, [stop] { return stop.is_set(); }}, diagnostics);
+        studies::StudyContext context{paper, [stop] { return stop.is_set(); }, {}};
+        context.refined = [window, stop](const studies::Study& study) {
+          QMetaObject::invokeMethod(
+              qApp,
+              [window, stop, study] {
+                if (window && !stop.is_set()) window->show_study(study);
+              },
+              Qt::QueuedConnection);
+        };
+        outcome->study = study_of(state, context, diagnostics);
         outcome->messages = text_of(diagnostics);
         outcome->has_errors = diagnostics.has_errors();
         return outcome;
@@ -303,7 +317,11 @@ void StudyWindow::show_outcome(Outcome outcome) {
                                     : tr("There is no figure for these settings: see the message above."));
     return emit updated();
   }
-  study_ = std::move(outcome.study);
+  show_study(std::move(*outcome.study));
+}
+
+void StudyWindow::show_study(studies::Study study) {
+  study_ = std::move(study);
   export_data_->setEnabled(!study_->csv.empty() || !study_->fit.empty());
   figure_->setAccessibleDescription(QString::fromStdString(study_->summary));
   statusBar()->showMessage({});

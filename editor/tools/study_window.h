@@ -35,9 +35,10 @@ class StudyWindow : public QMainWindow {
   void open(const QStringList& files);
   /// Replaces the text of a state, as from the clipboard or a file; false after an error, which is shown.
   bool read(const QString& text, const QString& path);
-  /// Sets the first BRDF of the tool, if it takes one. With `may_apply`, it can be applied to the selected
-  /// faces: see `applied`.
-  void set_brdf(const grf::BrdfModel& brdf, bool may_apply);
+  /// Sets the first BRDF of the tool, if it takes one.
+  void set_brdf(const grf::BrdfModel& brdf);
+  /// Sets whether there is a scene with faces that the BRDF can be applied to: see `applied`.
+  void set_apply_target(bool has_target);
 
   // The functions below write files in a thread: see `written`.
 
@@ -86,6 +87,7 @@ class StudyWindow : public QMainWindow {
   void go_to(std::size_t step);
   void request();
   void show_outcome(Outcome outcome);
+  void show_study(studies::Study study);
   void show_busy(bool is_busy);
   void turn(const QPointF& by, bool is_done);
   void show_step();
@@ -102,7 +104,6 @@ class StudyWindow : public QMainWindow {
   std::vector<studies::ToolState> steps_;  ///< of undo; the current one is at `step_`
   std::size_t step_ = 0;
   std::optional<studies::Study> study_;
-  bool may_apply_ = false;
   BackgroundJob<std::shared_ptr<Outcome>> job_{this};
   BackgroundJob<QString> writing_{this};
 

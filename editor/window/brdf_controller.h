@@ -19,6 +19,12 @@ class BrdfController : public QObject {
   /// All outlive it.
   BrdfController(Document& document, BrdfEditor& editor, QObject* parent);
 
+  /// The BRDF of the selected faces, independent of the scene; nothing if they have several, or one that
+  /// needs definitions.
+  std::optional<grf::BrdfModel> common_brdf() const;
+  /// Assigns a BRDF to the selected faces, as one undo step.
+  void assign(const grf::BrdfModel& brdf);
+
  signals:
   void failed(const QString& message);
 

@@ -258,7 +258,8 @@ std::string csv_of(const std::vector<ReadFit>& fits) {
   for (const ReadFit& fit : fits) {
     for (const ComparedPoint& point : fit.points) {
       const Vec3f& v = point.direction;
-      text += fmt::format("{},{},{},{},{},{}\n", fit.name, v.x, v.y, v.z, point.value, point.expected);
+      text += fmt::format("{},{},{},{},{},{}\n", fit.name, v.x, v.y, v.z, static_cast<float>(point.value),
+                          static_cast<float>(point.expected));
     }
   }
   return text;

@@ -25,6 +25,8 @@ struct Study {
 struct StudyContext {
   plot::Paper paper = plot::Paper::White;
   std::function<bool()> is_stopped = {};  ///< polled; then the result does not matter
+  /// Called with a study that is not done yet, a few times a second at most; null if only the result matters.
+  std::function<void(const Study& study)> refined = {};
 };
 
 /// A row of the table of study tools. A window's form and the validation of states follow from it.

@@ -140,10 +140,16 @@ class Reader {
   ToolState state_;
 };
 
-/// Returns a path as written in a file, absolute if that is empty.
+/// Returns a path as written in a file: relative to its folder if it was relative or is in that folder.
+/// Without a file it is absolute.
 std::string written(const std::string& path, const std::string& in_file) {
-  if (!in_file.empty()) return renamed(path, {}, in_file);
   std::error_code error;
+  if (!in_file.empty()) {
+    if (std::filesystem::path(path).is_relative()) return renamed(path, {}, in_file);
+    const std::filesystem::path folder = std::filesystem::absolute(in_file, error).parent_path();
+    const std::string relative = std::filesystem::path(path).lexically_relative(folder).generic_string();
+    return relative.empty() || relative.starts_with("..") ? path : relative;
+  }
   const std::filesystem::path absolute = std::filesystem::absolute(path, error);
   return error ? path : absolute.lexically_normal().generic_string();
 }
