@@ -33,15 +33,15 @@ int fail(const QString& message) {
   return static_cast<int>(grf::ExitCode::BadCommandLine);
 }
 
-/// Whether a window shows all that it was opened with.
+/// Whether a window shows what it was opened with; a study may still be refined.
 bool is_shown(QWidget& window) {
   if (auto* main_window = qobject_cast<editor::MainWindow*>(&window))
     return !main_window->files().is_importing() && main_window->view().is_full();
-  if (const auto* study = qobject_cast<editor::StudyWindow*>(&window)) return !study->is_busy();
+  if (const auto* study = qobject_cast<editor::StudyWindow*>(&window)) return study->has_picture();
   return window.isVisible();
 }
 
-/// Closes the window once it shows all, and prints how long that took.
+/// Closes the window once it shows that, and prints how long that took.
 void tell_startup_time(QWidget& window, const QElapsedTimer& since) {
   auto* timer = new QTimer(&window);
   QObject::connect(timer, &QTimer::timeout, &window, [&window, since] {

@@ -46,7 +46,7 @@ class StudyWindow : public QMainWindow {
   void save_state(const QString& path);
   /// Exports the figure as .svg, .png or .pdf, on white.
   void export_figure(const QString& path);
-  /// Exports the values as .csv, or the directions as .fit.
+  /// Exports the data of the study in one of its formats, by the extension.
   void export_data(const QString& path);
   /// Exports a picture for each of so many steps of the animation, numbered before the extension.
   void export_animation(const QString& path, int count);
@@ -55,6 +55,8 @@ class StudyWindow : public QMainWindow {
   NoticeBar& notice() { return *notice_; }
   StudyForm& form() { return *form_; }
   const std::optional<studies::Study>& study() const { return study_; }
+  /// Whether there is a picture of the state, if only a first one of a study that is refined, or a message.
+  bool has_picture() const;
   /// Whether the figure is older than the state.
   bool is_busy() const;
 
@@ -93,6 +95,7 @@ class StudyWindow : public QMainWindow {
   void show_step();
   void ask_for_files();
   void ask_to_save_state();
+  void ask_to_export_data();
   void ask_to_export(const QString& title, const QString& name, const QString& filter,
                      const std::function<void(const QString&)>& write);
   void write(const QString& path, const std::function<void(grf::Diagnostics&, const StopFlag&)>& work);

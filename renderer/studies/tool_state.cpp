@@ -50,8 +50,7 @@ class Reader {
       is_valid = read_line(rest.substr(0, end), line) && is_valid;
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
-    if (is_valid && state_.settings.keyword.empty())
-      return fail(1, 0, "found no 'tool', which names the tool");
+    if (is_valid && !has_tool_) return fail(1, 0, "found no 'tool', which names the tool");
     return is_valid ? std::optional(std::move(state_)) : std::nullopt;
   }
 
@@ -77,7 +76,7 @@ class Reader {
 
   bool take(const Statement& statement) {
     const bool is_tool = grf::same_keyword(statement.keyword, "tool");
-    if (state_.settings.keyword.empty() && !is_tool) {
+    if (!has_tool_ && !is_tool) {
       fail(statement.line, statement.keyword_column,
            fmt::format("found '{}', expected 'tool' and the name of the tool first", statement.keyword));
       return false;
@@ -95,10 +94,11 @@ class Reader {
   }
 
   bool take_tool(const Statement& statement) {
-    if (!state_.settings.keyword.empty()) {
+    if (has_tool_) {
       fail(statement.line, statement.keyword_column, "found a second 'tool'");
       return false;
     }
+    has_tool_ = true;
     const auto settings = grf::read_pdf(padded(statement), path_, diagnostics_);
     if (settings) state_.settings = *settings;
     return settings.has_value();
@@ -138,6 +138,7 @@ class Reader {
   std::string path_;
   grf::Diagnostics& diagnostics_;
   ToolState state_;
+  bool has_tool_ = false;  ///< even if it has a mistake
 };
 
 /// Returns a path as written in a file: relative to its folder if it was relative or is in that folder.
@@ -161,6 +162,15 @@ std::string text_of(const grf::Model& model) { return grf::to_text(grf::PdfModel
 std::optional<ToolState> read_state(const std::string& text, const std::string& path,
                                     grf::Diagnostics& diagnostics) {
   return Reader(text, path, diagnostics).read();
+}
+
+void set_number(grf::Model& settings, std::string_view name, float value) {
+  for (grf::Argument& argument : settings.arguments) {
+    if (!grf::same_keyword(argument.name, name)) continue;
+    argument.value = value;
+    return;
+  }
+  settings.arguments.push_back({std::string(name), value, {}});
 }
 
 std::string to_text(const ToolState& state, const std::string& path) {

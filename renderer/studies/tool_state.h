@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grf/catalogue.h"
@@ -41,6 +42,9 @@ struct ToolState {
 /// by the tool. Returns nothing after an error.
 std::optional<ToolState> read_state(const std::string& text, const std::string& path,
                                     grf::Diagnostics& diagnostics);
+
+/// Sets a number among the settings, by its name.
+void set_number(grf::Model& settings, std::string_view name, float value);
 
 /// Formats a state. Paths are written relative to the file that the text will be in; absolute if that is
 /// empty.
