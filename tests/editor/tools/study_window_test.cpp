@@ -1,25 +1,16 @@
 // Tests of the windows of study tools, which a user works with the pointer and the keyboard.
-#include "editor/tools/study_window.h"
-
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QLabel>
 #include <QListWidget>
 #include <QMimeData>
-#include <QSignalSpy>
 #include <QStatusBar>
-#include <QTest>
 #include <QToolButton>
 
 #include <gmock/gmock.h>
 
 #include "editor/appearance/theme.h"
-#include "editor/controls/notice_bar.h"
-#include "editor/controls/number_box.h"
-#include "editor/tools/figure_view.h"
-#include "tests/editor/window/window_driver.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/editor/tools/study_tool_test.h"
 
 namespace editor {
 namespace {
@@ -27,50 +18,19 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-studies::StudyTool tool_called(std::string_view name) {
-  for (const studies::StudyTool& tool : studies::study_tools()) {
-    if (tool.name() == name) return tool;
-  }
-  throw std::runtime_error("no such tool");
-}
-
 constexpr const char* Fit =
     "diffuse kd=0.5\nviewer (0.5, 0)\nbegin\n(0, 0, 1) 0.159155\n(0.6, 0, 0.8) 0.2\nend\n";
 
-class StudyWindowTest : public testing::Test {
+class StudyWindowTest : public StudyToolTest {
  protected:
-  StudyWindowTest() : window_(tool_called("fitplot")) {
-    window_.resize(1200, 720);
-    window_.show();
-  }
+  StudyWindowTest() : StudyToolTest("fitplot") {}
   void SetUp() override {
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
+    StudyToolTest::SetUp();
     ASSERT_TRUE(is_done());
-  }
-
-  bool is_done() {
-    return QTest::qWaitFor([this] { return !window_.is_busy(); }, test::Minute);
   }
   QString fit(const std::string& name = "a.fit", const std::string& text = Fit) {
     return QString::fromStdString(folder_.add(name, text));
   }
-  void open(const QStringList& files) {
-    window_.open(files);
-    ASSERT_TRUE(is_done());
-  }
-  std::string notice() { return window_.notice().isVisible() ? window_.notice().text().toStdString() : ""; }
-  double number(const QString& name) { return test::named<NumberBox>(window_, name).value(); }
-  QString pointed() { return test::named<QLabel>(window_, "What is under the pointer").text(); }
-  /// Waits until a file is written, and returns the error message.
-  QString message_of(const std::function<void()>& write) {
-    QSignalSpy written(&window_, &StudyWindow::written);
-    write();
-    if (written.empty() && !written.wait(test::Minute)) return "nothing was written";
-    return written.front().at(1).toString();
-  }
-
-  test::TemporaryFolder folder_;
-  StudyWindow window_;
 };
 
 TEST_F(StudyWindowTest, SaysWhatToDoWithoutAFile) {
@@ -119,11 +79,7 @@ TEST_F(StudyWindowTest, TurnsByThePointerAndTheKeyboard) {
 TEST_F(StudyWindowTest, FollowsItsForm) {
   open({fit()});
   const QImage before = window_.figure().image();
-  auto& box = test::named<NumberBox>(window_, "azimuth");
-  box.setFocus();
-  QTest::keyClick(&box, Qt::Key_A, Qt::ControlModifier);
-  QTest::keyClicks(&box, "10");
-  QTest::keyClick(&box, Qt::Key_Return);
+  type("azimuth", "10");
   ASSERT_TRUE(is_done());
   EXPECT_NE(window_.figure().image(), before);
   EXPECT_THAT(studies::to_text(window_.state()), StartsWith("tool fitplot azimuth=10\n"));
@@ -171,9 +127,9 @@ TEST_F(StudyWindowTest, KeepsItsSettingsAsText) {
   ASSERT_TRUE(is_done());
   const studies::ToolState state = window_.state();
   const QImage picture = window_.figure().image();
-  const QString path = QString::fromStdString(folder_.path("s.study"));
-  EXPECT_EQ(message_of([&] { window_.save_state(path); }), "");
-  EXPECT_EQ(test::bytes_of(path.toStdString()), "tool fitplot azimuth=64.8 elevation=25\nfile a.fit\n");
+  const QString saved = path("s.study");
+  EXPECT_EQ(message_of([&] { window_.save_state(saved); }), "");
+  EXPECT_EQ(test::bytes_of(saved.toStdString()), "tool fitplot azimuth=64.8 elevation=25\nfile a.fit\n");
   test::action(window_, "Copy settings").trigger();
   const QString copied = QApplication::clipboard()->text();
   EXPECT_THAT(copied.toStdString(), HasSubstr("file /")) << "for other places";
@@ -184,7 +140,7 @@ TEST_F(StudyWindowTest, KeepsItsSettingsAsText) {
   ASSERT_TRUE(is_done());
   EXPECT_EQ(window_.figure().image(), picture);
   test::action(window_, "Reset all settings").trigger();
-  open({path});
+  open({saved});
   EXPECT_EQ(window_.state().settings, state.settings);
   EXPECT_EQ(window_.figure().image(), picture);
   // What is no state changes nothing.
@@ -199,7 +155,6 @@ TEST_F(StudyWindowTest, KeepsItsSettingsAsText) {
 
 TEST_F(StudyWindowTest, ExportsWhatItShows) {
   open({fit()});
-  const auto path = [this](const char* name) { return QString::fromStdString(folder_.path(name)); };
   for (const auto& [name, start] : {std::pair("a.svg", "<svg "), {"a.png", "\x89PNG"}, {"a.pdf", "%PDF-"}}) {
     EXPECT_EQ(message_of([&] { window_.export_figure(path(name)); }), "") << name;
     EXPECT_THAT(test::bytes_of(folder_.path(name)), StartsWith(start));
@@ -219,17 +174,17 @@ TEST_F(StudyWindowTest, ExportsWhatItShows) {
 
 TEST_F(StudyWindowTest, IsExportedByItsDialog) {
   open({fit()});
-  const QString path = QString::fromStdString(folder_.path("typed.svg"));
+  const QString typed = path("typed.svg");
   EXPECT_EQ(message_of([&] {
               test::action(window_, "Export figure...").trigger();
               auto* dialog = window_.findChild<QFileDialog*>();
               ASSERT_NE(dialog, nullptr);
               auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
-              name->setText(path);
+              name->setText(typed);
               QTest::keyClick(name, Qt::Key_Return);
             }),
             "");
-  EXPECT_THAT(test::bytes_of(path.toStdString()), StartsWith("<svg "));
+  EXPECT_THAT(test::bytes_of(typed.toStdString()), StartsWith("<svg "));
 }
 
 TEST_F(StudyWindowTest, HasTheColoursOfTheTheme) {
