@@ -222,9 +222,10 @@ bool StudyWindow::has_picture() const { return study_ ? !figure_->image().isNull
 
 bool StudyWindow::is_busy() const { return job_.is_busy() || figure_->is_busy(); }
 
-void StudyWindow::set_brdf(const grf::BrdfModel& brdf) {
-  if (tool_.brdfs == 0 || state_.brdfs.front() == brdf) return;
+void StudyWindow::set_brdf(const grf::BrdfModel& brdf, const std::vector<grf::Definition>& definitions) {
+  if (tool_.brdfs == 0) return;
   studies::ToolState state = state_;
+  state.definitions = definitions;
   state.brdfs.front() = brdf;
   set_state(state);
 }

@@ -35,8 +35,8 @@ class StudyWindow : public QMainWindow {
   void open(const QStringList& files);
   /// Replaces the text of a state, as from the clipboard or a file; false after an error, which is shown.
   bool read(const QString& text, const QString& path);
-  /// Sets the first BRDF of the tool, if it takes one.
-  void set_brdf(const grf::BrdfModel& brdf);
+  /// Sets the first BRDF of the tool, if it takes one, and the BRDFs that the terms of a sum refer to.
+  void set_brdf(const grf::BrdfModel& brdf, const std::vector<grf::Definition>& definitions = {});
   /// Sets whether there is a scene with faces that the BRDF can be applied to: see `applied`.
   void set_apply_target(bool has_target);
 

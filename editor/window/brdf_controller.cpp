@@ -138,8 +138,19 @@ void BrdfController::finish(const std::vector<grf::BrdfModel>& models) {
 }
 
 std::optional<grf::BrdfModel> BrdfController::common_brdf() const {
-  if (subjects_.size() != 1 || !subjects_.front().model.terms.empty()) return std::nullopt;
+  if (subjects_.size() != 1) return std::nullopt;
   return self_contained(subjects_.front().model);
+}
+
+std::vector<grf::Definition> BrdfController::common_brdf_definitions() const {
+  std::vector<grf::Definition> definitions;
+  for (const PlacedDefinition& placed : common_definitions(document_.scene(), selected_meshes(document_))) {
+    if (!std::holds_alternative<grf::BrdfModel>(placed.definition->body)) continue;
+    definitions.push_back(*placed.definition);
+    auto& brdf = std::get<grf::BrdfModel>(definitions.back().body);
+    brdf = self_contained(std::move(brdf));
+  }
+  return definitions;
 }
 
 void BrdfController::assign(const grf::BrdfModel& brdf) {

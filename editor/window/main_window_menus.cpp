@@ -149,7 +149,8 @@ void MainWindow::open_tool(const Tool& tool) {
   auto* study = qobject_cast<StudyWindow*>(window);
   if (study == nullptr) return;
   study->set_apply_target(true);
-  if (const auto brdf = brdf_controller_->common_brdf()) study->set_brdf(*brdf);
+  if (const auto brdf = brdf_controller_->common_brdf())
+    study->set_brdf(*brdf, brdf_controller_->common_brdf_definitions());
   connect(study, &StudyWindow::applied, brdf_controller_, &BrdfController::assign);
 }
 

@@ -193,6 +193,12 @@ std::optional<MiniScene> mini_scene(const ToolState& state, const MiniRenderSett
   } else {
     result.scene = built_in_scene(settings.shape, !result.options.environment.empty());
   }
+  // The terms of a `combine` are in scope everywhere.
+  if (!state.definitions.empty()) {
+    grf::DefinitionScope scope{state.definitions, std::move(result.scene.contents)};
+    result.scene.contents = {};
+    result.scene.contents.blocks.push_back({std::move(scope), {}, {}});
+  }
   return diagnostics.has_errors() ? std::nullopt : std::optional(std::move(result));
 }
 

@@ -75,6 +75,15 @@ TEST_F(MiniRender, ReplacesTheBrdfsOfTheScene) {
   EXPECT_NEAR(mean(image_of(study(Above + "samples=16 replace=true"))), 0.3, 0.005);
 }
 
+TEST_F(MiniRender, RendersSums) {
+  const auto made = outcome(Above + "samples=16 replace=true", "file plane.grf\nfile plane.op\n",
+                            "def a = brdf diffuse kd=0.2\nbrdf combine 2 a 1 a\nbrdf diffuse\n");
+  ASSERT_TRUE(made.study) << made.messages;
+  EXPECT_NEAR(mean(image_of(*made.study)), 0.6, 0.01);
+  EXPECT_THAT(outcome("replace=true", "file plane.grf\n", "brdf combine 1 gone\nbrdf diffuse\n").messages,
+              HasSubstr("gone"));
+}
+
 TEST_F(MiniRender, ComparesInEqualTime) {
   const auto made = study(Above + "samples=512 replace=true compare=brdfs");
   EXPECT_THAT(

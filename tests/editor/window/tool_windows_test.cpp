@@ -69,6 +69,21 @@ TEST_F(ToolWindows, ShowTheBrdfOfTheSelectedFacesAndApplyIt) {
   EXPECT_FLOAT_EQ(sx(brdf(0)), 0.2F) << "in one step";
 }
 
+TEST_F(ToolWindows, KnowTheTermsOfASum) {
+  open(QString::fromStdString(folder_.add(
+      "sum.grf",
+      "def paint = brdf ward sx=0.2 sy=0.3 def coat = brdf combine 0.5 paint begin\n"
+      "begin mesh \"plane\" brdf combine 0.25 paint 0.5 coat\n"
+      "begin vertexs (-1,0,1) (1,0,1) (1,0,-1) (-1,0,-1) end begin faces (0,1,2) (0,2,3) end end end\n")));
+  test::action(window_, "All").trigger();
+  StudyWindow& tool = opened("Mini bpt");
+  EXPECT_EQ(tool.state().brdfs.front().terms.size(), 2U);
+  EXPECT_EQ(tool.state().definitions.size(), 2U);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return tool.study().has_value(); }, test::Minute));
+  EXPECT_FALSE(tool.notice().isVisible()) << tool.notice().text().toStdString();
+  EXPECT_THAT(studies::to_text(tool.state()), HasSubstr("def paint = brdf ward sx=0.2 sy=0.3\n"));
+}
+
 TEST_F(ToolWindows, ApplyNothingWithoutASelection) {
   open_scene();
   StudyWindow& tool = opened("Mini bpt");
