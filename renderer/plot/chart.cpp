@@ -135,6 +135,12 @@ std::vector<Point> line_of(const Series& series, const Scale& x, const Scale& y)
   return line;
 }
 
+void draw_fills(const Chart& chart, const Scale& x, const Scale& y, Svg& svg) {
+  for (const Series& series : chart.series) {
+    if (!series.fill.empty()) svg.polygon(line_of(series, x, y), series.fill, 0);
+  }
+}
+
 void draw_lines(const Chart& chart, const Scale& x, const Scale& y, Svg& svg) {
   constexpr double MarkRadius = 2.6;
   constexpr double CloudRadius = 1.2;
@@ -142,7 +148,7 @@ void draw_lines(const Chart& chart, const Scale& x, const Scale& y, Svg& svg) {
     const std::vector<Point> line = line_of(chart.series[i], x, y);
     const bool has_line = chart.series[i].has_line;
     if (has_line) svg.polyline(line, {colour_of(chart.series, i), LineWidth, chart.series[i].dashes});
-    if (chart.series[i].has_marks || !has_line)
+    if (chart.series[i].has_marks || (!has_line && chart.series[i].fill.empty()))
       svg.dots(line, has_line ? MarkRadius : CloudRadius, colour_of(chart.series, i));
   }
 }
@@ -255,16 +261,20 @@ std::vector<double> spread_labels(const std::vector<double>& wishes, double dist
   return places;
 }
 
+Rectangle plot_area(const Chart& chart, const Rectangle& place) {
+  return {{place.corner.x + 62, place.corner.y + 26},
+          place.width - 62 - legend_width(chart.series) - (chart.has_names_at_ends ? 10 : 0),
+          place.height - 66};
+}
+
 void draw(const Chart& chart, const Rectangle& place, Svg& svg) {
-  const Rectangle inside = {
-      {place.corner.x + 62, place.corner.y + 26},
-      place.width - 62 - legend_width(chart.series) - (chart.has_names_at_ends ? 10 : 0),
-      place.height - 66};
+  const Rectangle inside = plot_area(chart, place);
   const Scale x(chart.x, chart.series, &Point::x, inside.corner.x, inside.corner.x + inside.width);
   const Scale y(chart.y, chart.series, &Point::y, inside.corner.y + inside.height, inside.corner.y);
   draw_title(chart.title, place, svg);
   draw_axes(chart, x, y, inside, svg);
   svg.begin_clip(inside.corner - Point(0, 1), inside.width, inside.height + 2);
+  draw_fills(chart, x, y, svg);
   draw_lines(chart, x, y, svg);
   svg.end_clip();
   if (chart.has_names_at_ends && has_legend(chart.series)) {

@@ -19,7 +19,8 @@ struct Series {
   std::string_view colour = {};  ///< empty: `colour_of_series` of its index
   std::string_view dashes = {};  ///< dash pattern, see `Stroke`
   bool has_marks = false;        ///< draw a dot at each point
-  bool has_line = true;          ///< else it is a cloud of small dots
+  bool has_line = true;          ///< else it is a cloud of small dots, or only filled
+  std::string_view fill = {};    ///< colour of the polygon through the points, under all lines; empty: none
 };
 
 struct Axis {
@@ -50,6 +51,9 @@ struct Chart {
   /// Place each label at the right at the height of its line's last point if there is space.
   bool has_names_at_ends = false;
 };
+
+/// Returns the area between the axes of a chart at a place.
+Rectangle plot_area(const Chart& chart, const Rectangle& place);
 
 /// Draws axes with ticks, the lines clipped to the ranges, and a legend at the right if there are several. On
 /// a logarithmic axis, values of 0 and less are far below its range. If its limits are no powers of ten, it

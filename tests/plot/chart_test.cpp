@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -111,6 +112,25 @@ TEST(Chart, CutsLinesAtItsEnds) {
   ASSERT_EQ(clips.size(), 1U);
   const double top = clips[0].get<double>("rect.<xmlattr>.y");
   EXPECT_LT(test::lines(svg).at(0).back().y, top) << "it goes on where it is not seen, with its own slope";
+}
+
+TEST(Chart, FillsAPolygonUnderItsLines) {
+  Chart chart = chart_of({"", false, 0, 1, 0}, {"", false, 0, 2, 0}, {{0, 0}, {1, 1}});
+  chart.series.push_back({{}, {{0, 0}, {0, 2}, {1, 0}}, "#111"});
+  chart.series.back().fill = "#abc";
+  chart.series.back().has_line = false;
+  plot::Svg svg(400, 300);
+  draw(chart, Whole, svg);
+  const test::Element root = test::svg_of(svg.str());
+  EXPECT_EQ(test::lines(root).size(), 1U) << "no outline";
+  std::vector<test::Element> fills = test::elements(root, "path");
+  ASSERT_EQ(fills.size(), 1U) << "and no dots";
+  EXPECT_EQ(fills[0].get<std::string>("<xmlattr>.fill"), "#abc");
+  const plot::Rectangle area = plot::plot_area(chart, Whole);
+  EXPECT_EQ(fills[0].get<std::string>("<xmlattr>.d"),
+            fmt::format("M{0:.1f} {1:.1f}L{0:.1f} {2:.1f}L{3:.1f} {1:.1f}Z", area.corner.x,
+                        area.corner.y + area.height, area.corner.y, area.corner.x + area.width));
+  EXPECT_LT(svg.str().find("#abc"), svg.str().find("#0072b2")) << "lines are over it";
 }
 
 TEST(Chart, NamesItsLinesWhereThereAreSeveral) {
