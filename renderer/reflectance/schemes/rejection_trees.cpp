@@ -34,6 +34,20 @@ Vec2f middle(const Box& cell) {
 
 }  // namespace
 
+std::vector<float> disc_values(const Brdf& brdf, const Vec3f& plane_u, const Vec2f& azimuth,
+                               const DiscGrid& grid) {
+  const int resolution = grid.resolution();
+  std::vector<float> values(static_cast<std::size_t>(resolution) * resolution);
+  parallel::for_each_index(resolution, [&](int y) {
+    for (int x = 0; x < resolution; ++x) {
+      if (!(grid.area(x, y) > 0)) continue;
+      const Vec2f point = middle(DiscGrid::box({x, y, x + 1, y + 1}, resolution));
+      values[grid.index(x, y)] = scalar(brdf, plane_u, azimuth, point.x, point.y);
+    }
+  });
+  return values;
+}
+
 RejectionTrees::RejectionTrees(const Brdf& brdf, const RejectionSettings& settings)
     : thetas_(settings.thetas), phis_(settings.phis) {
   if (phis_ == 0) phis_ = is_anisotropic(brdf) ? AnisotropicPhis : 1;
@@ -43,22 +57,9 @@ RejectionTrees::RejectionTrees(const Brdf& brdf, const RejectionSettings& settin
   parallel::for_each_index(trees_.size(), [&](std::size_t i) {
     const int theta = static_cast<int>(i) % thetas_;
     const int phi = static_cast<int>(i) / thetas_;
-    trees_[i] = made_tree(brdf, view_direction(theta), azimuth(phi), grid, settings);
+    const std::vector<float> values = disc_values(brdf, view_direction(theta), azimuth(phi), grid);
+    trees_[i] = RejectionTree(values, grid, settings.most_tries, settings.keep_table);
   });
-}
-
-RejectionTree RejectionTrees::made_tree(const Brdf& brdf, const Vec3f& tree_u, const Vec2f& tree_azimuth,
-                                        const DiscGrid& grid, const RejectionSettings& settings) const {
-  const int resolution = grid.resolution();
-  std::vector<float> values(static_cast<std::size_t>(resolution) * resolution);
-  parallel::for_each_index(resolution, [&](int y) {
-    for (int x = 0; x < resolution; ++x) {
-      if (!(grid.area(x, y) > 0)) continue;
-      const Vec2f point = middle(DiscGrid::box({x, y, x + 1, y + 1}, resolution));
-      values[grid.index(x, y)] = scalar(brdf, tree_u, tree_azimuth, point.x, point.y);
-    }
-  });
-  return RejectionTree(values, grid, settings.most_tries, settings.keep_table);
 }
 
 /// Returns the centre of one of equal intervals of theta, so that the nearest view is at most half a step off

@@ -15,6 +15,12 @@ namespace reflectance {
 /// A most_tries for which no node has to be split.
 constexpr float AnyTries = std::numeric_limits<float>::infinity();
 
+/// Evaluates f, the mean over RGB, for each cell of a grid over the disc, at the centre of its part inside; 0
+/// outside. The grid's x axis is the plane of incidence: `plane_u` is the view in it, with y = 0 and x >= 0,
+/// and `azimuth` the cosine and sine of the view's azimuth. A rejection tree is made from these values.
+std::vector<float> disc_values(const Brdf& brdf, const Vec3f& plane_u, const Vec2f& azimuth,
+                               const DiscGrid& grid);
+
 struct RejectionSettings {
   int thetas = 90;         ///< number of trees over the view's angle to the normal
   int phis = 0;            ///< number of trees over its azimuth; 0: as many as the BRDF needs
@@ -59,8 +65,6 @@ class RejectionTrees {
   std::optional<View> view_of(const Vec3f& u) const;
   Vec3f view_direction(int theta) const;
   Vec2f azimuth(int phi) const;
-  RejectionTree made_tree(const Brdf& brdf, const Vec3f& tree_u, const Vec2f& tree_azimuth,
-                          const DiscGrid& grid, const RejectionSettings& settings) const;
   float value(const Brdf& brdf, const View& view, double x, double y) const;
   std::optional<RejectionTree::Point> draw_point(const Brdf& brdf, const View& view,
                                                  const RejectionTree::Leaf& leaf, const Vec2f& first,
