@@ -9,6 +9,7 @@
 #include "renderer/reflectance/scheme.h"
 #include "renderer/studies/fit_plot.h"
 #include "renderer/studies/mini_render.h"
+#include "renderer/studies/rejection/tool.h"
 #include "renderer/transport/image/image.h"
 
 namespace studies {
@@ -42,7 +43,7 @@ bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diag
   return is_valid;
 }
 
-std::vector<StudyTool> study_tools() { return {mini_render_tool(), fit_plot_tool()}; }
+std::vector<StudyTool> study_tools() { return {mini_render_tool(), fit_plot_tool(), rejection_tool()}; }
 
 std::optional<ToolState> initial_state(std::string_view name) {
   for (const StudyTool& tool : study_tools()) {
