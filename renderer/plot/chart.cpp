@@ -135,12 +135,23 @@ std::vector<Point> line_of(const Series& series, const Scale& x, const Scale& y)
   return line;
 }
 
-void draw_lines(const Chart& chart, const Scale& x, const Scale& y, Svg& svg) {
+/// Fills the area between a line and the x axis, lighter than the line.
+void fill_below(const std::vector<Point>& line, double bottom, std::string_view colour, Svg& svg) {
+  if (line.empty()) return;
+  std::vector<Point> area = line;
+  area.emplace_back(line.back().x, bottom);
+  area.emplace_back(line.front().x, bottom);
+  const auto plain = plot::colour_of(colour);
+  svg.polygon(area, plain ? hexadecimal(*plain * 0.45F + grf::Colour(0.55F)) : std::string(colour), 0);
+}
+
+void draw_lines(const Chart& chart, const Scale& x, const Scale& y, double bottom, Svg& svg) {
   constexpr double MarkRadius = 2.6;
   constexpr double CloudRadius = 1.2;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const std::vector<Point> line = line_of(chart.series[i], x, y);
     const bool has_line = chart.series[i].has_line;
+    if (chart.series[i].is_filled) fill_below(line, bottom, colour_of(chart.series, i), svg);
     if (has_line) svg.polyline(line, {colour_of(chart.series, i), LineWidth, chart.series[i].dashes});
     if (chart.series[i].has_marks || !has_line)
       svg.dots(line, has_line ? MarkRadius : CloudRadius, colour_of(chart.series, i));
@@ -265,7 +276,7 @@ void draw(const Chart& chart, const Rectangle& place, Svg& svg) {
   draw_title(chart.title, place, svg);
   draw_axes(chart, x, y, inside, svg);
   svg.begin_clip(inside.corner - Point(0, 1), inside.width, inside.height + 2);
-  draw_lines(chart, x, y, svg);
+  draw_lines(chart, x, y, inside.corner.y + inside.height, svg);
   svg.end_clip();
   if (chart.has_names_at_ends && has_legend(chart.series)) {
     draw_names_at_ends(chart, x, y, inside, svg);

@@ -20,6 +20,7 @@ struct Series {
   std::string_view dashes = {};  ///< dash pattern, see `Stroke`
   bool has_marks = false;        ///< draw a dot at each point
   bool has_line = true;          ///< else it is a cloud of small dots
+  bool is_filled = false;        ///< fill the area between the line and the x axis
 };
 
 struct Axis {

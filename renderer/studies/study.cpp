@@ -6,6 +6,7 @@
 
 #include "grf/keywords.h"
 #include "renderer/reflectance/scheme.h"
+#include "renderer/studies/environment_viewer.h"
 #include "renderer/studies/fit_plot.h"
 
 namespace studies {
@@ -39,7 +40,7 @@ bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diag
   return is_valid;
 }
 
-std::vector<StudyTool> study_tools() { return {fit_plot_tool()}; }
+std::vector<StudyTool> study_tools() { return {environment_viewer_tool(), fit_plot_tool()}; }
 
 std::optional<ToolState> initial_state(std::string_view name) {
   for (const StudyTool& tool : study_tools()) {
