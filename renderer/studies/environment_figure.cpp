@@ -32,7 +32,7 @@ constexpr Rectangle MapPlace = {{415, 106}, 520, 260};
 constexpr Rectangle BarPlace = {{953, 116}, 12, 240};
 constexpr Rectangle WeightPlace = {{353, 404}, 292, 212};
 constexpr Rectangle DeviationPlace = {{650, 404}, 386, 212};
-constexpr double NumbersTop = 470;
+constexpr double NumbersTop = 462;
 
 constexpr std::string_view CandidateColour = "#e69f00";
 constexpr std::string_view HiddenCandidate = "#e8cf9c";
@@ -93,10 +93,19 @@ Picture false_colours(const SphereGrid& grid, const std::vector<std::optional<do
   }
   const plot::ColourScale scale(std::max(lowest, least), highest);
   const Rgb absent = linear(svg.shaded(grf::Colour(0.82F)));
+  std::array<Rgb, 512> shades;
+  const double range = std::log(scale.highest() / scale.lowest());
+  for (std::size_t i = 0; i < shades.size(); ++i) {
+    const double fraction = static_cast<double>(i) / (shades.size() - 1);
+    shades[i] = linear(scale.colour(scale.lowest() * std::exp(range * fraction)));
+  }
+  const auto shade_of = [&](double value) {
+    const double fraction = std::log(std::max(value, scale.lowest()) / scale.lowest()) / range;
+    return shades[static_cast<std::size_t>(std::lround(std::min(fraction, 1.0) * (shades.size() - 1)))];
+  };
   Picture picture{{grid, {}}, scale, unit};
   picture.sphere.colours.reserve(values.size());
-  for (const auto& value : values)
-    picture.sphere.colours.push_back(value ? linear(scale.colour(*value)) : absent);
+  for (const auto& value : values) picture.sphere.colours.push_back(value ? shade_of(*value) : absent);
   return picture;
 }
 
@@ -171,12 +180,23 @@ void draw_cross(const Point& at, plot::Svg& svg) {
   }
 }
 
-template <class View>
-void draw_marks(const EnvironmentResult& result, const View& view, const auto& is_shown, plot::Svg& svg) {
+/// Marks the eye and its mirror direction, the latter by a cross.
+void draw_marks(const EnvironmentResult& result, const SphereView& view, plot::Svg& svg) {
   const Vec3f eye = result.to_map(result.surface.u);
   const Vec3f mirror = result.to_map(reflectance::mirrored(result.surface.u));
-  if (is_shown(eye)) draw_ring(view.point(eye), 5, svg);
-  if (is_shown(mirror)) draw_cross(view.point(mirror), svg);
+  if (view.is_in_front(eye)) draw_ring(view.point(eye), 5, svg);
+  if (view.is_in_front(mirror)) draw_cross(view.point(mirror), svg);
+}
+
+void draw_marks(const EnvironmentResult& result, const UnrolledView& view, plot::Svg& svg) {
+  const Point eye = view.point(result.to_map(result.surface.u));
+  const Point mirror = view.point(result.to_map(reflectance::mirrored(result.surface.u)));
+  // A mark at one side goes on at the other.
+  for (const double turn : {-1.0, 0.0, 1.0}) {
+    const Point away(turn * view.place().width, 0);
+    draw_ring(eye + away, 5, svg);
+    draw_cross(mirror + away, svg);
+  }
 }
 
 /// Draws a direction as a line out of the sphere, with its name in a light disc, as it may be before the
@@ -194,15 +214,13 @@ void draw_axis(const Vec3f& direction, std::string_view name, double length, con
   svg.text(end + Point(0, 4), name, {11, "#111", Anchor::Middle, 0});
 }
 
-void draw_sphere_panel(const EnvironmentResult& result, const Picture& picture, plot::Svg& svg) {
+void draw_sphere_panel(const EnvironmentResult& result, plot::Svg& svg) {
   const SphereView view = sphere_of(result.settings);
-  draw(picture.sphere, view, svg);
   svg.circle(view.centre(), view.radius(), {"#888", 1});
   const Vec3f& normal = result.surface.frame.z;
   draw_horizon(normal, view, svg);
   draw_candidates(result, view, svg);
-  draw_marks(
-      result, view, [&](const Vec3f& direction) { return view.is_in_front(direction); }, svg);
+  draw_marks(result, view, svg);
   constexpr std::array<std::pair<Vec3f, std::string_view>, 6> Axes = {{{{1, 0, 0}, "x"},
                                                                        {{0, 1, 0}, "y"},
                                                                        {{0, 0, 1}, "z"},
@@ -218,12 +236,10 @@ void draw_sphere_panel(const EnvironmentResult& result, const Picture& picture, 
 void draw_map_panel(const EnvironmentResult& result, const Picture& picture, plot::Svg& svg) {
   const UnrolledView view = unrolled();
   const Rectangle& place = view.place();
-  draw(picture.sphere, view, svg);
   svg.begin_clip(place.corner, place.width, place.height);
   draw_horizon(result.surface.frame.z, view, svg);
   draw_candidates(result, view, svg);
-  draw_marks(
-      result, view, [](const Vec3f&) { return true; }, svg);
+  draw_marks(result, view, svg);
   svg.end_clip();
   draw_axes(view, svg);
   svg.text(place.corner - Point(0, 9), title_of(result.settings), {13, "#111", Anchor::Start, 0});
@@ -268,7 +284,7 @@ void draw_legend(const EnvironmentResult& result, plot::Svg& svg) {
   item(fmt::format("N = {} candidates", result.light.candidates.size()));
   const std::array<Point, 1> sample = {Point(x + 2, Line - 4)};
   svg.dots(sample, SampleRadius + 1.2, SampleColour);
-  item(fmt::format("M = {} samples", result.settings.counts().chosen));
+  item(fmt::format("M = {} samples, larger if chosen again", result.settings.counts().chosen));
   draw_ring({x, Line - 4}, 4, svg);
   item("eye");
   svg.line({x - 4, Line - 8}, {x + 4, Line}, {"#333", 1.5});
@@ -354,18 +370,21 @@ void draw_deviations(const EnvironmentResult& result, plot::Svg& svg) {
 }
 
 std::string text_of(const Rgb& rgb) {
-  const bool is_grey = std::abs(rgb.x - rgb.y) + std::abs(rgb.y - rgb.z) <= 1e-5F * mean(rgb);
-  return is_grey ? fmt::format("{:.4g}", mean(rgb))
-                 : fmt::format("{:.4g} ({:.3g}, {:.3g}, {:.3g})", mean(rgb), rgb.x, rgb.y, rgb.z);
+  constexpr std::size_t Fitting = 27;
+  const std::string average = fmt::format("{:.4g}", mean(rgb));
+  if (std::abs(rgb.x - rgb.y) + std::abs(rgb.y - rgb.z) <= 1e-5F * mean(rgb)) return average;
+  const std::string text = fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", average, rgb.x, rgb.y, rgb.z);
+  return text.size() <= Fitting ? text : average;
 }
 
 void draw_numbers(const EnvironmentResult& result, plot::Svg& svg) {
   const double count = static_cast<double>(result.light.candidates.size());
   const double effective = result.light.effective_candidates();
   const double error = 100 * result.relative_error();
-  const std::array<std::pair<std::string, std::string>, 7> rows = {
+  const std::array<std::pair<std::string, std::string>, 8> rows = {
       {{"Effective candidates",
         fmt::format("{:.4g} of {:.0f}, {:.3g} %", effective, count, 100 * effective / count)},
+       {"expected", fmt::format("{:.3g} % of candidates", 100 * result.quadrature.expected_efficiency())},
        {"Largest weight / mean", fmt::format("{:.3g}", result.light.largest_weight())},
        {"Radiance, resampled", text_of(result.light.estimate)},
        {"Radiance, quadrature", text_of(result.reflected)},
@@ -377,7 +396,7 @@ void draw_numbers(const EnvironmentResult& result, plot::Svg& svg) {
   for (const auto& [name, value] : rows) {
     svg.text({Left, y}, name, {12, "#666", Anchor::Start, 0});
     svg.text({Left + 150, y}, value, {12, "#111", Anchor::Start, 0});
-    y += 21;
+    y += 20;
   }
 }
 
@@ -388,7 +407,8 @@ plot::Svg environment_figure(const EnvironmentResult& result, plot::Paper paper)
   const Picture picture = picture_of(result, svg);
   draw_header(result, svg);
   draw_legend(result, svg);
-  draw_sphere_panel(result, picture, svg);
+  draw(picture.sphere, sphere_of(result.settings), unrolled(), svg);
+  draw_sphere_panel(result, svg);
   draw_map_panel(result, picture, svg);
   draw_numbers(result, svg);
   draw_weights(result, svg);

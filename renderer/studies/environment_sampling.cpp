@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/parallel/loops.h"
 #include "renderer/plot/brdf_charts.h"
 #include "renderer/studies/angles.h"
 #include "renderer/transport/sobol.h"
@@ -57,14 +58,39 @@ struct SurfaceQuadrature::Cell {
   Rgb f_cos;            ///< at the centre
 };
 
+void SurfaceQuadrature::Sums::add(const Rgb& f_cos, const Rgb& radiance, double solid_angle) {
+  albedo += Imath::V3d(f_cos) * solid_angle;
+  reflected += Imath::V3d(f_cos * radiance) * solid_angle;
+}
+
+void SurfaceQuadrature::Sums::add(const Sums& other) {
+  albedo += other.albedo;
+  reflected += other.reflected;
+}
+
+/// Sums over the rows of the grid, on all cores, in fixed order.
+template <class Row>
+SurfaceQuadrature::Sums SurfaceQuadrature::sum_of_rows(const Row& row,
+                                                       const std::function<bool()>& is_stopped) {
+  std::vector<Sums> sums(static_cast<std::size_t>(Grid.height));
+  parallel::for_each_index(Grid.height, [&](int y) {
+    if (!is_stopped || !is_stopped()) sums[static_cast<std::size_t>(y)] = row(y);
+  });
+  Sums total;
+  for (const Sums& one : sums) total.add(one);
+  return total;
+}
+
 SurfaceQuadrature::SurfaceQuadrature(const LitSurface& surface, const std::function<bool()>& is_stopped)
-    : surface_(surface) {
-  sample_cells(is_stopped);
-  integrate();
-  const double albedo = mean_of(albedo_sum_);
-  const double reflected = mean_of(reflected_sum_);
-  albedo_ = Rgb(albedo_sum_);
-  reflected_ = Rgb(reflected_sum_);
+    : surface_(surface), cells_(Grid.size()) {
+  const Sums coarse = sum_of_rows([this](int y) { return sample_row(y); }, is_stopped);
+  albedo_scale_ = mean_of(coarse.albedo);
+  reflected_scale_ = mean_of(coarse.reflected);
+  const Sums sums = sum_of_rows([this](int y) { return integral_of_row(y); }, is_stopped);
+  const double albedo = mean_of(sums.albedo);
+  const double reflected = mean_of(sums.reflected);
+  albedo_ = Rgb(sums.albedo);
+  reflected_ = Rgb(sums.reflected);
   for (DirectionValues& cell : cells_) {
     cell.brdf = albedo > 0 ? mean(cell.f_cos) / albedo : 0;
     cell.product = reflected > 0 ? mean(cell.f_cos * cell.radiance) / reflected : 0;
@@ -83,29 +109,27 @@ Rgb SurfaceQuadrature::fine_radiance(double x, double y) const {
   return surface_.environment->cells[row * static_cast<std::size_t>(Fine.width) + column];
 }
 
-void SurfaceQuadrature::sample_cells(const std::function<bool()>& is_stopped) {
+/// Evaluates the cells of a row, and returns the integrals by the midpoint rule.
+SurfaceQuadrature::Sums SurfaceQuadrature::sample_row(int y) {
   constexpr int Parts = FilteredMap::Grid.width / Grid.width;
   static_assert(Parts == 2 && FilteredMap::Grid.height == Parts * Grid.height);
   const double total = surface_.map().total();
-  cells_.resize(Grid.size());
-  for (int y = 0; y < Grid.height; ++y) {
-    if (is_stopped && is_stopped()) return;
-    const double whole = Grid.solid_angle(y, y + 1, 1);
-    const auto upper = static_cast<float>(2 * Grid.solid_angle(y, y + 0.5, 0.5) / whole);
-    for (int x = 0; x < Grid.width; ++x) {
-      DirectionValues& cell = cells_[static_cast<std::size_t>(y * Grid.width + x)];
-      const Vec3f direction = Grid.direction(x + 0.5, y + 0.5);
-      cell.radiance = (fine_radiance(x, y) + fine_radiance(x + 0.5, y)) * (upper / 2) +
-                      (fine_radiance(x, y + 0.5) + fine_radiance(x + 0.5, y + 0.5)) * ((1 - upper) / 2);
-      cell.map = plot::channel_of(cell.radiance, plot::Channel::Luminance) / total;
-      cell.warps = surface_.map().pdf(surface_.frame.z, direction);
-      cell.f_cos = f_cos(direction);
-      const Vec3f v = surface_.frame.to_local(direction);
-      if (v.z > 0) cell.scheme = surface_.reflector.pdf(surface_.u, v);
-      albedo_scale_ += mean(cell.f_cos) * whole;
-      reflected_scale_ += mean(cell.f_cos * cell.radiance) * whole;
-    }
+  const double whole = Grid.solid_angle(y, y + 1, 1);
+  const auto upper = static_cast<float>(2 * Grid.solid_angle(y, y + 0.5, 0.5) / whole);
+  Sums sums;
+  for (int x = 0; x < Grid.width; ++x) {
+    DirectionValues& cell = cells_[static_cast<std::size_t>(y * Grid.width + x)];
+    const Vec3f direction = Grid.direction(x + 0.5, y + 0.5);
+    cell.radiance = (fine_radiance(x, y) + fine_radiance(x + 0.5, y)) * (upper / 2) +
+                    (fine_radiance(x, y + 0.5) + fine_radiance(x + 0.5, y + 0.5)) * ((1 - upper) / 2);
+    cell.map = plot::channel_of(cell.radiance, plot::Channel::Luminance) / total;
+    cell.warps = surface_.map().pdf(surface_.frame.z, direction);
+    cell.f_cos = f_cos(direction);
+    const Vec3f v = surface_.frame.to_local(direction);
+    if (v.z > 0) cell.scheme = surface_.reflector.pdf(surface_.u, v);
+    sums.add(cell.f_cos, cell.radiance, whole);
   }
+  return sums;
 }
 
 double SurfaceQuadrature::importance(const Rgb& difference, const Rgb& radiance, double solid_angle) const {
@@ -129,26 +153,23 @@ bool SurfaceQuadrature::varies(int x, int y) const {
   });
 }
 
-void SurfaceQuadrature::integrate() {
+SurfaceQuadrature::Sums SurfaceQuadrature::integral_of_row(int y) const {
   const Vec3f mirror = surface_.frame.to_world(reflectance::mirrored(surface_.u));
   const double near_mirror = std::cos(MirrorRadius);
-  for (int y = 0; y < Grid.height; ++y) {
-    for (int x = 0; x < Grid.width; ++x) {
-      const DirectionValues& cell = cells_[static_cast<std::size_t>(y * Grid.width + x)];
-      const bool is_near = double(Grid.direction(x + 0.5, y + 0.5).dot(mirror)) > near_mirror;
-      if (is_near || varies(x, y)) {
-        subdivide({double(x), double(y), 1, 0, is_near ? MirrorLevel : 1, cell.f_cos});
-        continue;
-      }
-      const double solid_angle = Grid.solid_angle(y, y + 1, 1);
-      albedo_sum_ += Imath::V3d(cell.f_cos) * solid_angle;
-      reflected_sum_ += Imath::V3d(cell.f_cos * cell.radiance) * solid_angle;
-    }
+  Sums sums;
+  for (int x = 0; x < Grid.width; ++x) {
+    const DirectionValues& cell = cells_[static_cast<std::size_t>(y * Grid.width + x)];
+    const bool is_near = double(Grid.direction(x + 0.5, y + 0.5).dot(mirror)) > near_mirror;
+    if (is_near || varies(x, y))
+      subdivide({double(x), double(y), 1, 0, is_near ? MirrorLevel : 1, cell.f_cos}, sums);
+    else
+      sums.add(cell.f_cos, cell.radiance, Grid.solid_angle(y, y + 1, 1));
   }
+  return sums;
 }
 
 /// Adds the integrals over the four parts of a cell, each of which may be subdivided further.
-void SurfaceQuadrature::subdivide(const Cell& cell) {
+void SurfaceQuadrature::subdivide(const Cell& cell, Sums& sums) const {
   const double half = cell.size / 2;
   for (int k = 0; k < 4; ++k) {
     Cell part = cell;
@@ -162,12 +183,10 @@ void SurfaceQuadrature::subdivide(const Cell& cell) {
     const bool goes_on =
         part.level < part.least_level ||
         (part.level < DeepestLevel && importance(part.f_cos - cell.f_cos, radiance, solid_angle) > Tolerance);
-    if (goes_on) {
-      subdivide(part);
-      continue;
-    }
-    albedo_sum_ += Imath::V3d(part.f_cos) * solid_angle;
-    reflected_sum_ += Imath::V3d(part.f_cos * radiance) * solid_angle;
+    if (goes_on)
+      subdivide(part, sums);
+    else
+      sums.add(part.f_cos, radiance, solid_angle);
   }
 }
 
@@ -198,6 +217,20 @@ double SurfaceQuadrature::missed_light(double factor) const {
     if (cells_[i].product > factor * cells_[i].scheme) missed += light;
   }
   return all > 0 ? missed / all : 0;
+}
+
+double SurfaceQuadrature::expected_efficiency() const {
+  double sum = 0;
+  for (int y = 0; y < Grid.height; ++y) {
+    const double solid_angle = Grid.solid_angle(y, y + 1, 1);
+    for (int x = 0; x < Grid.width; ++x) {
+      const DirectionValues& cell = cells_[static_cast<std::size_t>(y * Grid.width + x)];
+      if (!(cell.product > 0)) continue;
+      if (!(cell.scheme > 0)) return 0;
+      sum += cell.product * cell.product / cell.scheme * solid_angle;
+    }
+  }
+  return sum > 0 ? 1 / sum : 0;
 }
 
 double ResampledLight::effective_candidates() const {
@@ -256,12 +289,14 @@ ResampledLight resample(const LitSurface& surface, const Resampling& counts, std
 }
 
 std::vector<Deviation> measure_deviations(const LitSurface& surface, const Visibility& is_visible,
-                                          const std::vector<int>& candidates, const std::vector<int>& chosen,
-                                          int repetitions, std::uint32_t seed,
+                                          const DeviationPlan& plan, std::uint32_t seed,
                                           const std::function<bool()>& is_stopped) {
   std::vector<Deviation> deviations;
   Resampler resampler;
-  for (const int count : candidates) {
+  for (const int count : plan.candidates) {
+    const auto end = std::ranges::upper_bound(plan.chosen, count);
+    const std::vector<int> chosen(plan.chosen.begin(), end);
+    const int repetitions = std::max(plan.least_repetitions, plan.least_total / count);
     std::vector<double> sums(chosen.size());
     std::vector<double> squares(chosen.size());
     for (int r = 0; r < repetitions; ++r) {
@@ -270,7 +305,7 @@ std::vector<Deviation> measure_deviations(const LitSurface& surface, const Visib
                                      static_cast<std::uint32_t>(r));
       const float xi = sampler.next().x;
       add_candidates(surface, count, sampler.next_set(count), resampler, [](const auto&) {});
-      for (std::size_t k = 0; k < chosen.size() && chosen[k] <= count; ++k) {
+      for (std::size_t k = 0; k < chosen.size(); ++k) {
         double estimate = 0;
         resampler.choose(chosen[k], xi, [&](const Vec3f& v, const Rgb& part) {
           if (is_visible(v)) estimate += mean(part);
@@ -279,7 +314,7 @@ std::vector<Deviation> measure_deviations(const LitSurface& surface, const Visib
         squares[k] += estimate * estimate;
       }
     }
-    for (std::size_t k = 0; k < chosen.size() && chosen[k] <= count; ++k) {
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
       const double average = sums[k] / repetitions;
       const double variance =
           (squares[k] / repetitions - average * average) * repetitions / (repetitions - 1);

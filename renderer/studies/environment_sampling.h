@@ -57,11 +57,25 @@ class SurfaceQuadrature {
   /// that of the product over `factor`.
   double missed_light(double factor) const;
 
+  /// Returns the expected fraction of effective candidates, 1 / integral of product^2 / scheme: 1 if they are
+  /// in proportion to the product, 0 if the scheme misses some of it. Variation within cells is left out.
+  double expected_efficiency() const;
+
  private:
   struct Cell;
-  void sample_cells(const std::function<bool()>& is_stopped);
-  void integrate();
-  void subdivide(const Cell& cell);
+  /// Integrals of f cos and f cos L.
+  struct Sums {
+    Imath::V3d albedo = Imath::V3d(0);
+    Imath::V3d reflected = Imath::V3d(0);
+
+    void add(const reflectance::Rgb& f_cos, const reflectance::Rgb& radiance, double solid_angle);
+    void add(const Sums& other);
+  };
+  Sums sample_row(int y);
+  Sums integral_of_row(int y) const;
+  void subdivide(const Cell& cell, Sums& sums) const;
+  template <class Row>
+  static Sums sum_of_rows(const Row& row, const std::function<bool()>& is_stopped);
   bool varies(int x, int y) const;
   reflectance::Rgb f_cos(const reflectance::Vec3f& direction) const;
   reflectance::Rgb fine_radiance(double x, double y) const;
@@ -70,9 +84,8 @@ class SurfaceQuadrature {
 
   const LitSurface& surface_;
   std::vector<DirectionValues> cells_;
-  Imath::V3d albedo_sum_ = Imath::V3d(0);
-  Imath::V3d reflected_sum_ = Imath::V3d(0);
-  double albedo_scale_ = 0;  ///< estimates of the integrals, before subdivision
+  // Estimates of the integrals before subdivision, means over RGB.
+  double albedo_scale_ = 0;
   double reflected_scale_ = 0;
   reflectance::Rgb albedo_;
   reflectance::Rgb reflected_;
@@ -111,11 +124,19 @@ struct Deviation {
   double relative = 0;  ///< standard deviation over mean, of the mean over RGB; 0 if there is no light
 };
 
+/// Numbers of candidates and samples to measure. Each number of candidates is repeated so often that there
+/// are `least_total` candidates, and at least `least_repetitions` times.
+struct DeviationPlan {
+  std::vector<int> candidates;
+  std::vector<int> chosen;  ///< in ascending order
+  int least_repetitions = 64;
+  int least_total = 16384;
+};
+
 /// Measures the deviation for each number of candidates with each number of samples that is not larger. All
-/// numbers of samples, which must be in ascending order, are chosen from the same candidates.
+/// numbers of samples are chosen from the same candidates.
 std::vector<Deviation> measure_deviations(const LitSurface& surface, const Visibility& is_visible,
-                                          const std::vector<int>& candidates, const std::vector<int>& chosen,
-                                          int repetitions, std::uint32_t seed,
+                                          const DeviationPlan& plan, std::uint32_t seed,
                                           const std::function<bool()>& is_stopped = {});
 
 }  // namespace studies

@@ -78,7 +78,7 @@ reflectance::ModelTable<EnvironmentSettings> EnvironmentSettings::table() {
            in_unit("deg", number_parameter(&Self::elevation, "elevation", -89, 89,
                                            "elevation of the side from which the sphere is seen")),
            boolean_parameter(&Self::deviations, "deviations",
-                             "measure how much estimates deviate, over 64 repetitions for each N"),
+                             "measure how much estimates deviate, over 64 repetitions or more for each N"),
            word_parameter(&Self::visibility, "visibility", {"open", "checker", "half"},
                           "what is hidden from the samples in the measurement of deviations: nothing, "
                           "every other square of 30 degrees, or the half of the directions with x < 0")},

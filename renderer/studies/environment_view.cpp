@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "grf/srgb.h"
+#include "renderer/parallel/loops.h"
 #include "renderer/reflectance/geometry.h"
 #include "renderer/studies/angles.h"
 #include "renderer/transport/image/image_encoders.h"
@@ -19,7 +20,7 @@ using plot::Point;
 using reflectance::Rgb;
 using reflectance::Vec3f;
 
-constexpr int PixelsPerUnit = 2;  // of the sphere's picture
+constexpr double PixelsPerUnit = 1.5;  // of the sphere's picture
 constexpr double RimWidth = 0.8;
 // Two lines, so that the horizon shows on dark and on light ground. These near-greys are not inverted.
 constexpr std::string_view LightLine = "#fffffe";
@@ -119,28 +120,33 @@ Rgb ColouredSphere::colour(const Vec3f& direction) const {
          (of(left, top + 1) * (1 - across) + of(left + 1, top + 1) * across) * down;
 }
 
-void draw(const ColouredSphere& sphere, const UnrolledView& view, plot::Svg& svg) {
-  const transport::Image image{sphere.grid.width, sphere.grid.height, sphere.colours};
-  const plot::Rectangle& place = view.place();
-  svg.image(place.corner, place.width, place.height, transport::encode_png({image}));
-}
-
-void draw(const ColouredSphere& sphere, const SphereView& view, plot::Svg& svg) {
-  const int side = 2 * static_cast<int>(std::ceil(PixelsPerUnit * (view.radius() + 1)));
-  const double size = static_cast<double>(side) / PixelsPerUnit;
+void draw(const ColouredSphere& sphere, const SphereView& view, const UnrolledView& unrolled,
+          plot::Svg& svg) {
+  const int side = 2 * static_cast<int>(std::ceil(PixelsPerUnit / 2 * (2 * view.radius() + 2)));
+  const double size = side / PixelsPerUnit;
   const Point corner = view.centre() - Point(size, size) / 2;
   const grf::Colour encoded = svg.shaded(grf::Colour(1));
   const Rgb background(grf::srgb_decoded(encoded.x), grf::srgb_decoded(encoded.y),
                        grf::srgb_decoded(encoded.z));
-  transport::Image image{side, side, {}};
-  image.pixels.reserve(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
-  for (int y = 0; y < side; ++y) {
-    for (int x = 0; x < side; ++x) {
-      const Point middle = corner + Point(x + 0.5, y + 0.5) / PixelsPerUnit;
-      image.pixels.push_back(pixel_of(sphere, view, middle, 1.0 / PixelsPerUnit, background));
-    }
-  }
-  svg.image(corner, size, size, transport::encode_png({image}));
+  std::string round_png;
+  std::string flat_png;
+  parallel::invoke(
+      [&] {
+        transport::Image image{side, side, {}};
+        image.pixels.reserve(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+        for (int y = 0; y < side; ++y) {
+          for (int x = 0; x < side; ++x) {
+            const Point middle = corner + Point(x + 0.5, y + 0.5) / PixelsPerUnit;
+            image.pixels.push_back(pixel_of(sphere, view, middle, 1 / PixelsPerUnit, background));
+          }
+        }
+        round_png = transport::encode_png({image});
+      },
+      [&] {
+        flat_png = transport::encode_png({{sphere.grid.width, sphere.grid.height, sphere.colours}});
+      });
+  svg.image(corner, size, size, round_png);
+  svg.image(unrolled.place().corner, unrolled.place().width, unrolled.place().height, flat_png);
 }
 
 void draw_axes(const UnrolledView& view, plot::Svg& svg) {

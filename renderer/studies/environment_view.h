@@ -53,8 +53,8 @@ struct ColouredSphere {
   reflectance::Rgb colour(const reflectance::Vec3f& direction) const;
 };
 
-void draw(const ColouredSphere& sphere, const UnrolledView& view, plot::Svg& svg);
-void draw(const ColouredSphere& sphere, const SphereView& view, plot::Svg& svg);
+/// Draws the sphere in both views.
+void draw(const ColouredSphere& sphere, const SphereView& view, const UnrolledView& unrolled, plot::Svg& svg);
 
 /// Draws the border of the unrolled sphere with ticks at multiples of 90 and 30 degrees, and the axes' names.
 void draw_axes(const UnrolledView& view, plot::Svg& svg);

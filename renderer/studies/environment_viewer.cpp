@@ -20,8 +20,6 @@ using reflectance::mean;
 using reflectance::Rgb;
 using reflectance::Vec3f;
 
-constexpr int Repetitions = 64;
-
 /// Returns the map's direction at a polar angle from y, and an azimuth from x towards -z.
 Vec3f direction_under_y(double theta, double azimuth) {
   const Vec3f z_up = direction_of({theta * Degree, azimuth * Degree});
@@ -142,8 +140,8 @@ EnvironmentResult::EnvironmentResult(const EnvironmentSettings& asked_for, const
   reflected = quadrature.reflected() + specular * surface.map().radiance(mirror);
   if (settings.deviations) {
     deviations =
-        measure_deviations(surface, settings.visible_directions(), {4, 16, 64, 256, 1024}, {1, 4, 16, 64},
-                           Repetitions, static_cast<std::uint32_t>(std::lround(settings.seed)), is_stopped);
+        measure_deviations(surface, settings.visible_directions(), {{4, 16, 64, 256, 1024}, {1, 4, 16, 64}},
+                           static_cast<std::uint32_t>(std::lround(settings.seed)), is_stopped);
   }
 }
 

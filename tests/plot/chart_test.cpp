@@ -149,6 +149,21 @@ TEST(Chart, PutsNamesBesideTheEndsOfTheirLines) {
   EXPECT_GE(heights.at("lower") - heights.at("low"), 14.9);
 }
 
+// A histogram is a filled line of steps: its area goes down to the x axis.
+TEST(Chart, FillsTheAreaBelowALine) {
+  Chart chart = chart_of({"", false, 0, 1, 1}, {"", false, 0, 2, 1}, {{0, 1}, {0.5, 1}, {0.5, 2}, {1, 2}});
+  EXPECT_TRUE(test::elements(drawn(chart), "path").empty());
+  chart.series[0].is_filled = true;
+  const auto svg = drawn(chart);
+  const auto areas = test::elements(svg, "path");
+  ASSERT_EQ(areas.size(), 1U);
+  const auto line = test::lines(svg).at(0);
+  // The chart's inside is from (62, 26), 328 wide and 234 high.
+  EXPECT_EQ(areas[0].get<std::string>("<xmlattr>.d"),
+            "M62.0 143.0L226.0 143.0L226.0 26.0L390.0 26.0L390.0 260.0L62.0 260.0Z");
+  EXPECT_NEAR(line.back().y, 26, 0.01);
+}
+
 TEST(PolarChart, HasRingsAtRoundDistances) {
   const auto rings = [](double distance) {
     return test::texts(drawn(PolarChart{"", "", "", {{{}, {{0, distance}}, {}, {}}}, {}, {}}));
