@@ -276,7 +276,7 @@ void draw_legend(const EnvironmentResult& result, plot::Svg& svg) {
   double x = Left;
   const auto item = [&](std::string_view words) {
     svg.text({x + 10, Line}, words, {11, "#333", Anchor::Start, 0});
-    x += 32 + 6.3 * static_cast<double>(words.size());
+    x += 28 + 5.75 * static_cast<double>(words.size());
   };
   const std::array<Point, 1> candidate = {Point(x + 2, Line - 4)};
   svg.dots(candidate, CandidateRadius + 1.6, DarkRim);
@@ -370,7 +370,7 @@ void draw_deviations(const EnvironmentResult& result, plot::Svg& svg) {
 }
 
 std::string text_of(const Rgb& rgb) {
-  constexpr std::size_t Fitting = 27;
+  constexpr std::size_t Fitting = 29;
   const std::string average = fmt::format("{:.4g}", mean(rgb));
   if (std::abs(rgb.x - rgb.y) + std::abs(rgb.y - rgb.z) <= 1e-5F * mean(rgb)) return average;
   const std::string text = fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", average, rgb.x, rgb.y, rgb.z);
@@ -384,7 +384,7 @@ void draw_numbers(const EnvironmentResult& result, plot::Svg& svg) {
   const std::array<std::pair<std::string, std::string>, 8> rows = {
       {{"Effective candidates",
         fmt::format("{:.4g} of {:.0f}, {:.3g} %", effective, count, 100 * effective / count)},
-       {"expected", fmt::format("{:.3g} % of candidates", 100 * result.quadrature.expected_efficiency())},
+       {"Effective, expected", fmt::format("{:.3g} %", 100 * result.quadrature.expected_efficiency())},
        {"Largest weight / mean", fmt::format("{:.3g}", result.light.largest_weight())},
        {"Radiance, resampled", text_of(result.light.estimate)},
        {"Radiance, quadrature", text_of(result.reflected)},
