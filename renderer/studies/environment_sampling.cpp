@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "renderer/parallel/loops.h"
 #include "renderer/plot/brdf_charts.h"
@@ -21,10 +22,9 @@ using reflectance::Vec3f;
 /// The part of an integral, as estimated before, above which a difference is worth a subdivision.
 constexpr double Tolerance = 1e-5;
 constexpr int DeepestLevel = 9;
-/// Cells this near to the mirror direction are subdivided to this level in any case: the lobe may be so
-/// narrow that no centre of a cell meets it.
-constexpr double MirrorRadius = 1.5 * Degree;
-constexpr int MirrorLevel = 3;
+/// Cells about the mirror direction are subdivided to this level in any case: the lobe may be so narrow that
+/// no centre of a larger cell meets it.
+constexpr int MirrorLevel = 5;
 
 constexpr std::uint32_t PatternOfFigure = 0;
 constexpr std::uint32_t PatternOfDeviations = 1;
@@ -54,8 +54,7 @@ struct SurfaceQuadrature::Cell {
   double y = 0;  ///< top
   double size = 1;
   int level = 0;
-  int least_level = 0;  ///< to which it is subdivided in any case
-  Rgb f_cos;            ///< at the centre
+  Rgb f_cos;  ///< at the centre
 };
 
 void SurfaceQuadrature::Sums::add(const Rgb& f_cos, const Rgb& radiance, double solid_angle) {
@@ -82,7 +81,9 @@ SurfaceQuadrature::Sums SurfaceQuadrature::sum_of_rows(const Row& row,
 }
 
 SurfaceQuadrature::SurfaceQuadrature(const LitSurface& surface, const std::function<bool()>& is_stopped)
-    : surface_(surface), cells_(Grid.size()) {
+    : surface_(surface),
+      mirror_(surface.frame.to_world(reflectance::mirrored(surface.u))),
+      cells_(Grid.size()) {
   const Sums coarse = sum_of_rows([this](int y) { return sample_row(y); }, is_stopped);
   albedo_scale_ = mean_of(coarse.albedo);
   reflected_scale_ = mean_of(coarse.reflected);
@@ -154,18 +155,20 @@ bool SurfaceQuadrature::varies(int x, int y) const {
 }
 
 SurfaceQuadrature::Sums SurfaceQuadrature::integral_of_row(int y) const {
-  const Vec3f mirror = surface_.frame.to_world(reflectance::mirrored(surface_.u));
-  const double near_mirror = std::cos(MirrorRadius);
   Sums sums;
   for (int x = 0; x < Grid.width; ++x) {
     const DirectionValues& cell = cells_[static_cast<std::size_t>(y * Grid.width + x)];
-    const bool is_near = double(Grid.direction(x + 0.5, y + 0.5).dot(mirror)) > near_mirror;
-    if (is_near || varies(x, y))
-      subdivide({double(x), double(y), 1, 0, is_near ? MirrorLevel : 1, cell.f_cos}, sums);
+    if (is_near_mirror(Grid.direction(x + 0.5, y + 0.5), 1) || varies(x, y))
+      subdivide({double(x), double(y), 1, 0, cell.f_cos}, sums);
     else
       sums.add(cell.f_cos, cell.radiance, Grid.solid_angle(y, y + 1, 1));
   }
   return sums;
+}
+
+/// Returns whether a cell is within two of its heights from the mirror direction.
+bool SurfaceQuadrature::is_near_mirror(const Vec3f& centre, double size) const {
+  return double((centre - mirror_).length()) < 2 * size * std::numbers::pi / Grid.height;
 }
 
 /// Adds the integrals over the four parts of a cell, each of which may be subdivided further.
@@ -177,11 +180,12 @@ void SurfaceQuadrature::subdivide(const Cell& cell, Sums& sums) const {
     part.y += (k / 2) * half;
     part.size = half;
     ++part.level;
-    part.f_cos = f_cos(Grid.direction(part.x + half / 2, part.y + half / 2));
+    const Vec3f centre = Grid.direction(part.x + half / 2, part.y + half / 2);
+    part.f_cos = f_cos(centre);
     const Rgb radiance = fine_radiance(part.x, part.y);
     const double solid_angle = Grid.solid_angle(part.y, part.y + half, half);
     const bool goes_on =
-        part.level < part.least_level ||
+        (part.level < MirrorLevel && is_near_mirror(centre, half)) ||
         (part.level < DeepestLevel && importance(part.f_cos - cell.f_cos, radiance, solid_angle) > Tolerance);
     if (goes_on)
       subdivide(part, sums);

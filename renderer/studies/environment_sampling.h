@@ -77,12 +77,14 @@ class SurfaceQuadrature {
   template <class Row>
   static Sums sum_of_rows(const Row& row, const std::function<bool()>& is_stopped);
   bool varies(int x, int y) const;
+  bool is_near_mirror(const reflectance::Vec3f& centre, double size) const;
   reflectance::Rgb f_cos(const reflectance::Vec3f& direction) const;
   reflectance::Rgb fine_radiance(double x, double y) const;
   double importance(const reflectance::Rgb& difference, const reflectance::Rgb& radiance,
                     double solid_angle) const;
 
   const LitSurface& surface_;
+  reflectance::Vec3f mirror_;  ///< direction in the map's frame
   std::vector<DirectionValues> cells_;
   // Estimates of the integrals before subdivision, means over RGB.
   double albedo_scale_ = 0;
