@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <sstream>
@@ -367,28 +368,40 @@ TEST_F(EnvironmentViewer, DescribesADirectionOfTheMap) {
   EXPECT_EQ(made.describe({400, 600}), "");
 }
 
+// Under constant light L, each candidate of a diffuse surface weighs kd L, and has the density cos / pi.
 TEST_F(EnvironmentViewer, HasTheCandidatesAsText) {
-  const studies::Study made = study("N=40 M=5");
+  const studies::Study made = study("N=40 M=5", map_line("a.pfm", filled(16, 8, Rgb(8, 4, 0))));
   std::istringstream lines(made.csv);
   std::string line;
   std::getline(lines, line);
   EXPECT_EQ(line, "candidate,x,y,z,map_x,map_y,map_z,red,green,blue,weight,pdf,specular,chosen");
-  int count = 0;
-  int chosen = 0;
-  int different = 0;
-  while (std::getline(lines, line)) {
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 13);
-    const int copies = std::stoi(line.substr(line.find_last_of(',') + 1));
-    chosen += copies;
-    different += copies > 0 ? 1 : 0;
-    ++count;
+  double count = 0;
+  double chosen = 0;
+  std::size_t different = 0;
+  for (; std::getline(lines, line); ++count) {
+    std::ranges::replace(line, ',', ' ');
+    std::istringstream numbers(line);
+    const std::vector<double> cells{std::istream_iterator<double>(numbers), {}};
+    ASSERT_EQ(cells.size(), 14U);
+    EXPECT_EQ(cells[0], count);
+    EXPECT_NEAR(cells[1], cells[4], 1e-6) << "x is x for a surface that faces y";
+    EXPECT_NEAR(cells[2], -cells[6], 1e-6);
+    EXPECT_NEAR(cells[3], cells[5], 1e-6);
+    EXPECT_NEAR(cells[7], 4, 1e-5);
+    EXPECT_NEAR(cells[8], 2, 1e-5);
+    EXPECT_EQ(cells[9], 0);
+    EXPECT_NEAR(cells[10], 2, 1e-5);
+    EXPECT_NEAR(cells[11], cells[3] / Pi, 1e-5);
+    EXPECT_EQ(cells[12], 0);
+    chosen += cells[13];
+    different += cells[13] > 0 ? 1 : 0;
   }
   EXPECT_EQ(count, 40);
   EXPECT_EQ(chosen, 5);
   grf::Diagnostics diagnostics;
   const auto fit = plot::read_fit(made.fit, "a.fit", diagnostics);
   ASSERT_TRUE(fit) << diagnostics.to_text();
-  EXPECT_EQ(fit->points.size(), static_cast<std::size_t>(different));
+  EXPECT_EQ(fit->points.size(), different);
   EXPECT_NEAR(fit->points.front().value, 0.5 / Pi, 1e-5);
 }
 
