@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <mutex>
 #include <numbers>
 #include <system_error>
 
 #include <fmt/format.h>
 
 #include "renderer/studies/angles.h"
+#include "renderer/studies/last_used.h"
 
 namespace studies {
 namespace {
@@ -67,18 +67,12 @@ std::shared_ptr<const FilteredMap> read_filtered(const ToolState::File& file, gr
 
 /// Reads a map, or returns the last one if it is still in use and of the same file.
 std::shared_ptr<const FilteredMap> shared_map(const ToolState::File& file, grf::Diagnostics& diagnostics) {
-  static std::mutex mutex;
-  static std::weak_ptr<const FilteredMap> last;
-  static FileVersion last_version;
-  const std::lock_guard lock(mutex);
+  static LastUsed<FileVersion, FilteredMap> last;
   const FileVersion version = version_of(file.path);
-  if (auto map = last.lock(); map && version == last_version) return map;
+  if (auto map = last.find(version)) return map;
   auto map = read_filtered(file, diagnostics);
   // Reading a map with invalid texels again repeats the warning of them.
-  if (map && map->map.invalid_texels() == 0) {
-    last = map;
-    last_version = version;
-  }
+  if (map && map->map.invalid_texels() == 0) last.remember(version, map);
   return map;
 }
 

@@ -38,7 +38,7 @@ void add_candidates(const LitSurface& surface, int count, const transport::Sampl
   // Resampling by 1 leaves the choice to the caller, who may want several of different sizes.
   const auto draw = [&](int j) {
     const transport::Uniform4 xi = points[j];
-    auto sample = surface.reflector.sample(surface.u, {xi.xy(), xi.z});
+    auto sample = surface.reflector->sample(surface.u, {xi.xy(), xi.z});
     use(sample);
     return sample;
   };
@@ -100,7 +100,7 @@ SurfaceQuadrature::SurfaceQuadrature(const LitSurface& surface, const std::funct
 
 Rgb SurfaceQuadrature::f_cos(const Vec3f& direction) const {
   const Vec3f v = surface_.frame.to_local(direction);
-  return v.z > 0 ? surface_.reflector.evaluate(surface_.u, v) * v.z : Rgb(0);
+  return v.z > 0 ? surface_.reflector->evaluate(surface_.u, v) * v.z : Rgb(0);
 }
 
 Rgb SurfaceQuadrature::fine_radiance(double x, double y) const {
@@ -127,7 +127,7 @@ SurfaceQuadrature::Sums SurfaceQuadrature::sample_row(int y) {
     cell.warps = surface_.map().pdf(surface_.frame.z, direction);
     cell.f_cos = f_cos(direction);
     const Vec3f v = surface_.frame.to_local(direction);
-    if (v.z > 0) cell.scheme = surface_.reflector.pdf(surface_.u, v);
+    if (v.z > 0) cell.scheme = surface_.reflector->pdf(surface_.u, v);
     sums.add(cell.f_cos, cell.radiance, whole);
   }
   return sums;
@@ -207,7 +207,7 @@ DirectionValues SurfaceQuadrature::at(const Vec3f& direction) const {
   values.brdf = albedo > 0 ? mean(values.f_cos) / albedo : 0;
   values.product = reflected > 0 ? mean(values.f_cos * radiance) / reflected : 0;
   const Vec3f v = surface_.frame.to_local(direction);
-  if (v.z > 0) values.scheme = surface_.reflector.pdf(surface_.u, v);
+  if (v.z > 0) values.scheme = surface_.reflector->pdf(surface_.u, v);
   return values;
 }
 

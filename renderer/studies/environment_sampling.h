@@ -14,7 +14,7 @@ namespace studies {
 /// A surface under an environment map, seen from one direction.
 struct LitSurface {
   std::shared_ptr<const FilteredMap> environment;
-  reflectance::Reflector reflector;
+  std::shared_ptr<const reflectance::Reflector> reflector;
   reflectance::Frame frame;  ///< from the local frame of the BRDF to the map's
   reflectance::Vec3f u;      ///< towards the eye, local
 

@@ -11,6 +11,7 @@
 #include "renderer/studies/brdf_instance.h"
 #include "renderer/studies/environment_figure.h"
 #include "renderer/studies/fit_samples.h"
+#include "renderer/studies/last_used.h"
 
 namespace studies {
 namespace {
@@ -26,6 +27,20 @@ Vec3f direction_under_y(double theta, double azimuth) {
   return {z_up.x, z_up.z, -z_up.y};
 }
 
+/// Builds the tables of a scheme, or returns the last ones if they are still in use and for the same models.
+std::shared_ptr<const reflectance::Reflector> shared_reflector(const ToolState& state,
+                                                               const reflectance::Brdf& brdf,
+                                                               const reflectance::Scheme& scheme) {
+  using Models = std::pair<grf::BrdfModel, grf::PdfModel>;
+  static LastUsed<Models, reflectance::Reflector> last;
+  const Models models = {state.brdfs.front(), state.pdfs.front()};
+  if (auto reflector = last.find(models)) return reflector;
+  const auto reflector = std::make_shared<const reflectance::Reflector>(brdf, scheme);
+  // A data file may change.
+  if (models.first.data_file.empty()) last.remember(models, reflector);
+  return reflector;
+}
+
 std::optional<LitSurface> lit_surface(const ToolState& state, const EnvironmentSettings& settings,
                                       grf::Diagnostics& diagnostics) {
   const auto brdf = make_brdf(state.brdfs.front(), diagnostics);
@@ -34,8 +49,8 @@ std::optional<LitSurface> lit_surface(const ToolState& state, const EnvironmentS
   if (!scheme) return std::nullopt;
   auto environment = open_environment(state, diagnostics);
   if (!environment) return std::nullopt;
-  reflectance::Reflector reflector(*brdf, *scheme);
-  if (!reflector.has_nonspecular_part()) {
+  auto reflector = shared_reflector(state, *brdf, *scheme);
+  if (!reflector->has_nonspecular_part()) {
     diagnostics.error(state.brdfs.front().location,
                       fmt::format("'{}' reflects into the mirror direction only: all candidates would be the "
                                   "same, and the renderer does not resample them",
@@ -76,7 +91,7 @@ std::string fit_text_of(const EnvironmentResult& result) {
       samples.push_back({candidate.v, candidate.estimate, candidate.pdf, candidate.is_specular});
   }
   const Angles view = {result.settings.theta * Degree, result.settings.phi * Degree};
-  return plot::to_text(fit_of(result.model, result.surface.reflector, view, samples, {}));
+  return plot::to_text(fit_of(result.model, *result.surface.reflector, view, samples, {}));
 }
 
 /// Returns an angle in degrees for people, without the noise of its computation.
@@ -134,7 +149,7 @@ EnvironmentResult::EnvironmentResult(const EnvironmentSettings& asked_for, const
       surface(std::move(lit)),
       quadrature(surface, is_stopped),
       light(resample(surface, settings.counts(), static_cast<std::uint32_t>(std::lround(settings.seed)))) {
-  const Rgb specular = reflectance::specular_weight(surface.reflector.brdf(), surface.u);
+  const Rgb specular = reflectance::specular_weight(surface.reflector->brdf(), surface.u);
   const Vec3f mirror = to_map(reflectance::mirrored(surface.u));
   albedo = quadrature.albedo() + specular;
   reflected = quadrature.reflected() + specular * surface.map().radiance(mirror);

@@ -46,16 +46,17 @@ LitSurface surface_under(const Image& image, const std::string& brdf, const std:
   grf::Diagnostics diagnostics;
   auto instance = studies::read_sampled_instance(brdf, pdf, diagnostics);
   if (!instance) throw std::runtime_error(diagnostics.to_text());
-  return {std::make_shared<FilteredMap>(transport::EnvironmentMap(image), "test"), instance->reflector,
-          reflectance::Frame(Vec3f(0, 1, 0)), studies::direction_of({theta * Degree, phi * Degree})};
+  return {std::make_shared<FilteredMap>(transport::EnvironmentMap(image), "test"),
+          std::make_shared<reflectance::Reflector>(instance->reflector), reflectance::Frame(Vec3f(0, 1, 0)),
+          studies::direction_of({theta * Degree, phi * Degree})};
 }
 
 /// A diffuse surface whose candidates are uniform over the hemisphere: they are from a lobe of exponent 0
 /// about the normal.
 LitSurface uniformly_sampled(const Image& image) {
   LitSurface surface = surface_under(image, "diffuse kd=0.5", "hemisphere exp=0", 0);
-  surface.reflector = reflectance::Reflector(surface.reflector.brdf(), surface.reflector.scheme(),
-                                             reflectance::MissedPart::Missing);
+  surface.reflector = std::make_shared<reflectance::Reflector>(
+      surface.reflector->brdf(), surface.reflector->scheme(), reflectance::MissedPart::Missing);
   return surface;
 }
 
@@ -169,7 +170,7 @@ TEST(SurfaceQuadrature, FindsNarrowLobes) {
         Case("ward sx=0.002", 0.003), Case("ward sx=0.0003", 0.015)}) {
     for (const double theta : {0.0, 17.3, 40.0, 61.1}) {
       const LitSurface surface = surface_under(filled(16, 8, Rgb(1)), brdf, "auto", theta, 25);
-      const double expected = reflectance::albedo(surface.reflector, surface.u, 65536).x;
+      const double expected = reflectance::albedo(*surface.reflector, surface.u, 65536).x;
       const SurfaceQuadrature quadrature(surface);
       EXPECT_NEAR(quadrature.albedo().x, expected, tolerance) << brdf << " at " << theta;
       EXPECT_NEAR(quadrature.reflected().x, expected, tolerance) << brdf << " at " << theta;
@@ -186,7 +187,7 @@ TEST(SurfaceQuadrature, DensitiesIntegrateToOne) {
     EXPECT_NEAR(integrals.map, 1, 0.01) << brdf;
     EXPECT_NEAR(integrals.warps, 1, 0.01) << brdf;
     EXPECT_NEAR(integrals.brdf, 1, 0.005) << brdf;
-    const auto drawn = studies::draw_samples(surface.reflector, surface.u, 1U << 14, 1);
+    const auto drawn = studies::draw_samples(*surface.reflector, surface.u, 1U << 14, 1);
     const double kept = static_cast<double>(drawn.samples.size()) / static_cast<double>(drawn.count());
     EXPECT_NEAR(integrals.scheme, kept, 0.003) << brdf;
   }
@@ -498,6 +499,17 @@ TEST_F(EnvironmentViewer, SeesAFileChange) {
   const studies::Study second = study("", map_line("a.pfm", filled(32, 16, Rgb(6))));
   EXPECT_THAT(first.summary, HasSubstr("is 2 by resampling"));
   EXPECT_THAT(second.summary, HasSubstr("is 3 by resampling"));
+}
+
+// The tables of a scheme are kept while a study uses them, and only for the same models.
+TEST_F(EnvironmentViewer, SeesAChangeOfModels) {
+  const studies::Study first = study("", "brdf diffuse kd=0.2\npdf adaptive\n");
+  const studies::Study again = study("", "brdf diffuse kd=0.2\npdf adaptive\n");
+  const studies::Study other = study("", "brdf diffuse kd=0.4\npdf adaptive\n");
+  const studies::Study sampled = study("", "brdf diffuse kd=0.4\npdf auto\n");
+  EXPECT_EQ(again.csv, first.csv);
+  EXPECT_NE(other.csv, first.csv);
+  EXPECT_NE(sampled.csv, other.csv);
 }
 
 TEST_F(EnvironmentViewer, StopsEarly) {
