@@ -81,15 +81,15 @@ struct Picture {
   std::string_view unit;
 };
 
-/// Maps values to false colours; those that are absent are grey.
-Picture false_colours(const SphereGrid& grid, const std::vector<std::optional<double>>& values, double least,
+/// Maps values to false colours. Where there is nothing it is grey.
+Picture false_colours(const SphereGrid& grid, const std::vector<double>& values, double least,
                       std::string_view unit, const plot::Svg& svg) {
   double lowest = 0;
   double highest = 0;
-  for (const auto& value : values) {
-    if (!value || !(*value > 0) || !std::isfinite(*value)) continue;
-    lowest = lowest > 0 ? std::min(lowest, *value) : *value;
-    highest = std::max(highest, *value);
+  for (const double value : values) {
+    if (!(value > 0) || !std::isfinite(value)) continue;
+    lowest = lowest > 0 ? std::min(lowest, value) : value;
+    highest = std::max(highest, value);
   }
   const plot::ColourScale scale(std::max(lowest, least), highest);
   const Rgb absent = linear(svg.shaded(grf::Colour(0.82F)));
@@ -105,15 +105,15 @@ Picture false_colours(const SphereGrid& grid, const std::vector<std::optional<do
   };
   Picture picture{{grid, {}}, scale, unit};
   picture.sphere.colours.reserve(values.size());
-  for (const auto& value : values) picture.sphere.colours.push_back(value ? shade_of(*value) : absent);
+  for (const double value : values) picture.sphere.colours.push_back(value > 0 ? shade_of(value) : absent);
   return picture;
 }
 
 Picture map_picture(const EnvironmentResult& result, const plot::Svg& svg) {
   const std::vector<Rgb>& cells = result.surface.environment->cells;
   if (result.settings.is_luminance()) {
-    std::vector<std::optional<double>> values;
-    for (const Rgb& cell : cells) values.emplace_back(plot::channel_of(cell, plot::Channel::Luminance));
+    std::vector<double> values;
+    for (const Rgb& cell : cells) values.push_back(plot::channel_of(cell, plot::Channel::Luminance));
     return false_colours(FilteredMap::Grid, values, 0, "L", svg);
   }
   Picture picture{{FilteredMap::Grid, cells}, std::nullopt, {}};
@@ -122,28 +122,27 @@ Picture map_picture(const EnvironmentResult& result, const plot::Svg& svg) {
   return picture;
 }
 
-std::optional<double> value_of(const DirectionValues& cell, Show show) {
+double value_of(const DirectionValues& cell, Show show) {
   switch (show) {
+    case Show::FCos:
+      return cell.brdf;
     case Show::Light:
       return cell.map;
     case Show::Warps:
       return cell.warps;
-    case Show::FCos:
-      return cell.brdf > 0 ? std::optional(cell.brdf) : std::nullopt;
     case Show::Product:
-      return cell.product > 0 ? std::optional(cell.product) : std::nullopt;
+      return cell.product;
     case Show::Scheme:
-      return cell.scheme > 0 ? std::optional(cell.scheme) : std::nullopt;
-    case Show::Lost:
+      return cell.scheme;
     default:
-      return cell.product > 0 ? std::optional(cell.product / cell.scheme) : std::nullopt;
+      return cell.product > 0 ? cell.product / cell.scheme : 0;
   }
 }
 
 Picture picture_of(const EnvironmentResult& result, const plot::Svg& svg) {
   const Show show = result.settings.shown();
   if (show == Show::Map) return map_picture(result, svg);
-  std::vector<std::optional<double>> values;
+  std::vector<double> values;
   for (const DirectionValues& cell : result.quadrature.cells()) values.push_back(value_of(cell, show));
   return false_colours(SurfaceQuadrature::Grid, values, show == Show::Lost ? 1 : 0,
                        show == Show::Lost ? "ratio" : "1/sr", svg);
