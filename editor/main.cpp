@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "editor/appearance/theme.h"
+#include "editor/tools/study_window.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/main_window.h"
@@ -32,11 +33,19 @@ int fail(const QString& message) {
   return static_cast<int>(grf::ExitCode::BadCommandLine);
 }
 
-/// Closes the window once the scene is shown in full, and prints how long that took.
-void tell_startup_time(editor::MainWindow& window, const QElapsedTimer& since) {
+/// Whether a window shows what it was opened with; a study may still be refined.
+bool is_shown(QWidget& window) {
+  if (auto* main_window = qobject_cast<editor::MainWindow*>(&window))
+    return !main_window->files().is_importing() && main_window->view().is_full();
+  if (const auto* study = qobject_cast<editor::StudyWindow*>(&window)) return study->has_picture();
+  return window.isVisible();
+}
+
+/// Closes the window once it shows that, and prints how long that took.
+void tell_startup_time(QWidget& window, const QElapsedTimer& since) {
   auto* timer = new QTimer(&window);
   QObject::connect(timer, &QTimer::timeout, &window, [&window, since] {
-    if (window.files().is_importing() || !window.view().is_full()) return;
+    if (!is_shown(window)) return;
     std::cout << since.elapsed() << " ms" << std::endl;
     QApplication::exit();
   });
@@ -116,7 +125,7 @@ int main(int argc, char** argv) {
                                   "FILE.svg|png|pdf");
   const QCommandLineOption theme(
       "theme", "Uses the theme dark or light for this session; the default is the last one chosen.", "NAME");
-  const QCommandLineOption startup("startup-time", "Prints the time until the window responds, and exits.");
+  const QCommandLineOption startup("startup-time", "Prints the time until the window shows all, and exits.");
   parser.addOptions({tool, state, output, theme, startup});
   if (!parser.parse(QCoreApplication::arguments())) return fail(parser.errorText());
   if (parser.isSet("help")) parser.showHelp();
@@ -133,7 +142,6 @@ int main(int argc, char** argv) {
       open_window(parser.value(tool), parser.positionalArguments(), parser.value(state));
   if (window == nullptr)
     return fail("unknown tool " + parser.value(tool) + "; the tools are " + list_of_tools());
-  auto* main_window = qobject_cast<editor::MainWindow*>(window.get());
-  if (main_window != nullptr && parser.isSet(startup)) tell_startup_time(*main_window, since);
+  if (parser.isSet(startup)) tell_startup_time(*window, since);
   return QApplication::exec();
 }

@@ -7,6 +7,7 @@
 #include <QScopedValueRollback>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/colour_button.h"
@@ -25,9 +26,15 @@ bool are_equal(const std::vector<Value>& values) {
   return std::ranges::all_of(values, [&](const Value& one) { return one == values.front(); });
 }
 
-/// The upper end of the slider of an unbounded parameter.
+bool is_unbounded(const grf::ParameterInfo& parameter) { return parameter.minimum < -1e30F; }
+
+/// The ends of the slider of a parameter, which may be unbounded.
 double slider_end(const grf::ParameterInfo& parameter) {
+  if (is_unbounded(parameter)) return 10 * std::max(1.0F, std::abs(parameter.default_value));
   return parameter.maximum < 1e30F ? parameter.maximum : 100 * std::max(1.0F, parameter.default_value);
+}
+double slider_start(const grf::ParameterInfo& parameter) {
+  return is_unbounded(parameter) ? -slider_end(parameter) : parameter.minimum;
 }
 
 grf::Colour colour_of(const Value& value) {
@@ -60,7 +67,7 @@ ParameterRow::ParameterRow(const grf::ParameterInfo& parameter, QWidget* parent)
 
 NumberBox* ParameterRow::new_box(const QString& name) {
   auto* box = new NumberBox(this);
-  box->set_range(parameter_.minimum, slider_end(parameter_));
+  box->set_range(slider_start(parameter_), slider_end(parameter_));
   box->set_logarithmic(parameter_.scale == grf::ParameterScale::Logarithmic);
   box->set_unit(text_of(parameter_.unit));
   box->set_help(text_of(parameter_.help));
@@ -73,7 +80,7 @@ void ParameterRow::add_number() {
   const QString name = text_of(parameter_.name);
   slider_ = new ScaledSlider(this);
   slider_->set_range(
-      parameter_.minimum, slider_end(parameter_),
+      slider_start(parameter_), slider_end(parameter_),
       parameter_.scale == grf::ParameterScale::Logarithmic ? SliderScale::Logarithmic : SliderScale::Linear);
   slider_->setToolTip(help_of(parameter_));
   slider_->setAccessibleName(name);
@@ -183,6 +190,12 @@ void ParameterRow::show_values(const std::vector<Value>& values, bool is_default
 void ParameterRow::show_number(const std::vector<Value>& values) {
   const auto* number = std::get_if<float>(&values.front());
   if (number == nullptr) return box_->set_mixed();
+  // The range of a number without bounds grows with it.
+  const double largest = 2.0 * std::abs(*number);
+  if (is_unbounded(parameter_) && largest > slider_end(parameter_)) {
+    slider_->set_range(-largest, largest, SliderScale::Linear);
+    box_->set_range(-largest, largest);
+  }
   slider_->set_number(*number);
   if (are_equal(values)) {
     box_->set_value(*number);

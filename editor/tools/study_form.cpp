@@ -141,6 +141,7 @@ void StudyForm::refresh() {
   if (settings_ != nullptr) settings_->show_models(&tool_.settings, {&state_.settings});
   if (distribution_ != nullptr && state_.distribution) distribution_->set_model(*state_.distribution);
   for (std::size_t i = 0; i < brdfs_.size(); ++i) {
+    brdfs_[i]->set_definitions(state_.definitions);
     if (brdfs_[i]->models() != std::vector{state_.brdfs[i]}) brdfs_[i]->set_models({state_.brdfs[i]});
   }
   for (std::size_t i = 0; i < pdfs_.size(); ++i) pdfs_[i]->set_model(state_.pdfs[i]);

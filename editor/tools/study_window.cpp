@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPointer>
 #include <QProgressBar>
 #include <QScrollArea>
 #include <QSettings>
@@ -44,14 +45,7 @@ const grf::ParameterInfo* parameter_of(const studies::StudyTool& tool, std::stri
 /// Sets a number among the settings of a state, within its range.
 void set_setting(const grf::ParameterInfo& parameter, double value, studies::ToolState& state) {
   const auto number = static_cast<float>(std::clamp<double>(value, parameter.minimum, parameter.maximum));
-  const auto found = std::ranges::find_if(state.settings.arguments, [&](const grf::Argument& argument) {
-    return parameter.is_called(argument.name);
-  });
-  if (found == state.settings.arguments.end()) {
-    state.settings.arguments.push_back({std::string(parameter.name), number, {}});
-  } else {
-    found->value = number;
-  }
+  studies::set_number(state.settings, parameter.name, number);
 }
 
 }  // namespace
@@ -151,16 +145,12 @@ void StudyWindow::make_file_menu() {
         ask_to_export(tr("Export the figure"), ".svg", tr("SVG (*.svg);;PNG (*.png);;PDF (*.pdf)"),
                       [this](const QString& path) { export_figure(path); });
       }));
-  export_data_ =
-      new_action(*this,
-                 {tr("Export &data..."),
-                  {},
-                  QKeySequence("Ctrl+Shift+E"),
-                  tr("Export the values as CSV, or directions as FIT")},
-                 [this] {
-                   ask_to_export(tr("Export the data"), ".csv", tr("Values (*.csv);;Directions (*.fit)"),
-                                 [this](const QString& path) { export_data(path); });
-                 });
+  export_data_ = new_action(*this,
+                            {tr("Export &data..."),
+                             {},
+                             QKeySequence("Ctrl+Shift+E"),
+                             tr("Export the values of the figure, or its images")},
+                            [this] { ask_to_export_data(); });
   menu->addAction(export_data_);
   if (const grf::ParameterInfo* animated = parameter_of(tool_, tool_.animated)) {
     menu->addAction(new_action(
@@ -205,7 +195,7 @@ void StudyWindow::make_edit_menu() {
                        tr("Apply the BRDF to the faces that are selected in the editor")},
                       [this] { emit applied(state_.brdfs.front()); });
   menu->addAction(apply_);
-  set_brdf(state_.brdfs.empty() ? grf::BrdfModel() : state_.brdfs.front(), false);
+  set_apply_target(false);
   remember();
 }
 
@@ -228,18 +218,25 @@ void StudyWindow::make_view_menu() {
   show_busy(false);
 }
 
+bool StudyWindow::has_picture() const { return study_ ? !figure_->image().isNull() : !is_busy(); }
+
 bool StudyWindow::is_busy() const { return job_.is_busy() || figure_->is_busy(); }
 
-void StudyWindow::set_brdf(const grf::BrdfModel& brdf, bool may_apply) {
-  may_apply_ = may_apply && tool_.brdfs > 0;
-  apply_->setEnabled(may_apply_);
-  apply_->setToolTip(may_apply_         ? tr("Apply the BRDF to the faces that are selected in the editor")
-                     : tool_.brdfs == 0 ? tr("This tool has no BRDF of its own.")
-                                        : tr("Open this tool from the editor with faces selected."));
-  if (tool_.brdfs == 0 || state_.brdfs.front() == brdf) return;
+void StudyWindow::set_brdf(const grf::BrdfModel& brdf, const std::vector<grf::Definition>& definitions) {
+  if (tool_.brdfs == 0) return;
   studies::ToolState state = state_;
+  state.definitions = definitions;
   state.brdfs.front() = brdf;
   set_state(state);
+}
+
+void StudyWindow::set_apply_target(bool has_target) {
+  const QString why_not = tool_.brdfs == 0 ? tr("This tool has no BRDF of its own.")
+                          : has_target     ? QString()
+                                           : tr("Open this tool from the editor to apply its BRDF to faces.");
+  apply_->setEnabled(why_not.isEmpty());
+  apply_->setToolTip(why_not.isEmpty() ? tr("Apply the BRDF to the faces that are selected in the editor")
+                                       : why_not);
 }
 
 void StudyWindow::set_state(const studies::ToolState& state) {
@@ -277,10 +274,19 @@ void StudyWindow::request() {
   const plot::Paper paper = theme_of(palette()) == Theme::Dark ? plot::Paper::Dark : plot::Paper::White;
   show_busy(true);
   job_.start(
-      [state = state_, paper](const StopFlag& stop) {
+      [window = QPointer<StudyWindow>(this), state = state_, paper](const StopFlag& stop) {
         auto outcome = std::make_shared<Outcome>();
         grf::Diagnostics diagnostics;
-        outcome->study = study_of(state, {paper, [stop] { return stop.is_set(); }}, diagnostics);
+        studies::StudyContext context{paper, [stop] { return stop.is_set(); }, {}};
+        context.refined = [window, stop](const studies::Study& study) {
+          QMetaObject::invokeMethod(
+              qApp,
+              [window, stop, study] {
+                if (window && !stop.is_set()) window->show_study(study);
+              },
+              Qt::QueuedConnection);
+        };
+        outcome->study = study_of(state, context, diagnostics);
         outcome->messages = text_of(diagnostics);
         outcome->has_errors = diagnostics.has_errors();
         return outcome;
@@ -303,8 +309,12 @@ void StudyWindow::show_outcome(Outcome outcome) {
                                     : tr("There is no figure for these settings: see the message above."));
     return emit updated();
   }
-  study_ = std::move(outcome.study);
-  export_data_->setEnabled(!study_->csv.empty() || !study_->fit.empty());
+  show_study(std::move(*outcome.study));
+}
+
+void StudyWindow::show_study(studies::Study study) {
+  study_ = std::move(study);
+  export_data_->setEnabled(!studies::data_files_of(*study_).empty());
   figure_->setAccessibleDescription(QString::fromStdString(study_->summary));
   statusBar()->showMessage({});
   figure_->show_figure(study_->figure.str(), {study_->figure.width(), study_->figure.height()});
@@ -331,6 +341,12 @@ double StudyWindow::setting(std::string_view name) const {
 
 void StudyWindow::turn(const QPointF& by, bool is_done) {
   constexpr double DegreesPerPixel = 0.6;
+  if (tool_.turn != nullptr) {
+    studies::ToolState state = state_;
+    tool_.turn(state, -DegreesPerPixel * by.x(), DegreesPerPixel * by.y());
+    form_->set_state(state);
+    return edit(state, is_done);
+  }
   const grf::ParameterInfo* azimuth = parameter_of(tool_, tool_.azimuth);
   const grf::ParameterInfo* elevation = parameter_of(tool_, tool_.elevation);
   if (azimuth == nullptr || elevation == nullptr) return;
@@ -386,7 +402,10 @@ void StudyWindow::open(const QStringList& files) {
     state.files.push_back({path.toStdString(), {}});
     has_files = true;
   }
-  if (has_files) set_state(state);
+  if (!has_files) return;
+  grf::Diagnostics diagnostics;
+  if (tool_.open != nullptr) tool_.open(state, diagnostics);
+  set_state(state);
 }
 
 void StudyWindow::ask_for_files() {
@@ -440,20 +459,24 @@ void StudyWindow::export_figure(const QString& path) {
 }
 
 void StudyWindow::export_data(const QString& path) {
-  const bool is_fit = QFileInfo(path).suffix().toLower() == "fit";
-  write(path, [is_fit, file = path.toStdString(), state = state_](grf::Diagnostics& diagnostics,
-                                                                  const StopFlag&) {
-    const auto study = study_of(state, {}, diagnostics);
-    if (!study) return;
-    const std::string& text = is_fit ? study->fit : study->csv;
-    if (!text.empty()) {
-      grf::replace_file(file, text, diagnostics);
-    } else {
-      diagnostics.error(grf::whole_file(file),
-                        is_fit ? "this study has no directions for a FIT file: export its values as CSV"
-                               : "this study has no values for a CSV file: export its directions as FIT");
-    }
-  });
+  // What is shown is exported; to make it once more may take long.
+  const auto shown = is_busy() ? std::nullopt : study_;
+  write(path,
+        [shown, file = path.toStdString(), state = state_](grf::Diagnostics& diagnostics, const StopFlag&) {
+          const auto study = shown ? shown : study_of(state, {}, diagnostics);
+          if (study) write_data(*study, file, diagnostics);
+        });
+}
+
+void StudyWindow::ask_to_export_data() {
+  if (!study_) return;
+  QStringList filters;
+  const std::vector<studies::DataFile> files = studies::data_files_of(*study_);
+  for (const studies::DataFile& file : files)
+    filters.append(QString("%1 (*.%2)").arg(text_of(file.title), text_of(file.extension)));
+  if (files.empty()) return;
+  ask_to_export(tr("Export the data"), '.' + text_of(files.front().extension), filters.join(";;"),
+                [this](const QString& path) { export_data(path); });
 }
 
 void StudyWindow::export_animation(const QString& path, int count) {

@@ -35,9 +35,10 @@ class StudyWindow : public QMainWindow {
   void open(const QStringList& files);
   /// Replaces the text of a state, as from the clipboard or a file; false after an error, which is shown.
   bool read(const QString& text, const QString& path);
-  /// Sets the first BRDF of the tool, if it takes one. With `may_apply`, it can be applied to the selected
-  /// faces: see `applied`.
-  void set_brdf(const grf::BrdfModel& brdf, bool may_apply);
+  /// Sets the first BRDF of the tool, if it takes one, and the BRDFs that the terms of a sum refer to.
+  void set_brdf(const grf::BrdfModel& brdf, const std::vector<grf::Definition>& definitions = {});
+  /// Sets whether there is a scene with faces that the BRDF can be applied to: see `applied`.
+  void set_apply_target(bool has_target);
 
   // The functions below write files in a thread: see `written`.
 
@@ -45,7 +46,7 @@ class StudyWindow : public QMainWindow {
   void save_state(const QString& path);
   /// Exports the figure as .svg, .png or .pdf, on white.
   void export_figure(const QString& path);
-  /// Exports the values as .csv, or the directions as .fit.
+  /// Exports the data of the study in one of its formats, by the extension.
   void export_data(const QString& path);
   /// Exports a picture for each of so many steps of the animation, numbered before the extension.
   void export_animation(const QString& path, int count);
@@ -54,6 +55,8 @@ class StudyWindow : public QMainWindow {
   NoticeBar& notice() { return *notice_; }
   StudyForm& form() { return *form_; }
   const std::optional<studies::Study>& study() const { return study_; }
+  /// Whether there is a picture of the state, if only a first one of a study that is refined, or a message.
+  bool has_picture() const;
   /// Whether the figure is older than the state.
   bool is_busy() const;
 
@@ -86,11 +89,13 @@ class StudyWindow : public QMainWindow {
   void go_to(std::size_t step);
   void request();
   void show_outcome(Outcome outcome);
+  void show_study(studies::Study study);
   void show_busy(bool is_busy);
   void turn(const QPointF& by, bool is_done);
   void show_step();
   void ask_for_files();
   void ask_to_save_state();
+  void ask_to_export_data();
   void ask_to_export(const QString& title, const QString& name, const QString& filter,
                      const std::function<void(const QString&)>& write);
   void write(const QString& path, const std::function<void(grf::Diagnostics&, const StopFlag&)>& work);
@@ -102,7 +107,6 @@ class StudyWindow : public QMainWindow {
   std::vector<studies::ToolState> steps_;  ///< of undo; the current one is at `step_`
   std::size_t step_ = 0;
   std::optional<studies::Study> study_;
-  bool may_apply_ = false;
   BackgroundJob<std::shared_ptr<Outcome>> job_{this};
   BackgroundJob<QString> writing_{this};
 

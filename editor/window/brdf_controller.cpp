@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "editor/brdf/brdf_editor.h"
+#include "editor/document/brdf_mime.h"
 #include "editor/document/definitions.h"
 #include "editor/document/scene_places.h"
 #include "editor/panels/selection_summary.h"
@@ -134,6 +135,29 @@ void BrdfController::change_definitions(const SurfaceEdits& edits,
 void BrdfController::finish(const std::vector<grf::BrdfModel>& models) {
   change(models);
   document_.finish_gesture();
+}
+
+std::optional<grf::BrdfModel> BrdfController::common_brdf() const {
+  if (subjects_.size() != 1) return std::nullopt;
+  return self_contained(subjects_.front().model);
+}
+
+std::vector<grf::Definition> BrdfController::common_brdf_definitions() const {
+  std::vector<grf::Definition> definitions;
+  for (const PlacedDefinition& placed : common_definitions(document_.scene(), selected_meshes(document_))) {
+    if (!std::holds_alternative<grf::BrdfModel>(placed.definition->body)) continue;
+    definitions.push_back(*placed.definition);
+    auto& brdf = std::get<grf::BrdfModel>(definitions.back().body);
+    brdf = self_contained(std::move(brdf));
+  }
+  return definitions;
+}
+
+void BrdfController::assign(const grf::BrdfModel& brdf) {
+  if (document_.selection().empty()) return emit failed(tr("No faces are selected to apply the BRDF to."));
+  SurfaceEdit edit;
+  edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(brdf);
+  document_.edit_surfaces(tr("Apply the BRDF"), edit);
 }
 
 void BrdfController::share(const QString& name) {

@@ -19,6 +19,13 @@ class BrdfController : public QObject {
   /// All outlive it.
   BrdfController(Document& document, BrdfEditor& editor, QObject* parent);
 
+  /// The BRDF of the selected faces, independent of other files; nothing if they have several.
+  std::optional<grf::BrdfModel> common_brdf() const;
+  /// The BRDFs that are defined where all selected faces are, independent of other files.
+  std::vector<grf::Definition> common_brdf_definitions() const;
+  /// Assigns a BRDF to the selected faces, as one undo step.
+  void assign(const grf::BrdfModel& brdf);
+
  signals:
   void failed(const QString& message);
 

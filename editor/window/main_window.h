@@ -35,6 +35,7 @@ class StatusLine;
 class SurfacePanel;
 class ViewActions;
 class ViewController;
+struct Tool;
 
 /// The 3D view of a document, its docks, and the controllers that connect them. The only modal dialogs are
 /// those about files.
@@ -96,6 +97,8 @@ class MainWindow : public QMainWindow {
   void make_scene_menu();
   void make_window_menu();
   void make_help_menu();
+  /// Opens a tool with the BRDF of the selected faces, which can be applied to them again.
+  void open_tool(const Tool& tool);
 
   const grf::Catalogue catalogue_;
   Document document_;

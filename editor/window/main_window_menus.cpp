@@ -15,8 +15,10 @@
 #include "editor/controls/notice_bar.h"
 #include "editor/panels/light_panel.h"
 #include "editor/rendering/render_panel.h"
+#include "editor/tools/study_window.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/bake_controller.h"
+#include "editor/window/brdf_controller.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/main_window.h"
 #include "editor/window/mesh_actions.h"
@@ -140,14 +142,22 @@ void MainWindow::make_window_menu() {
   }
 }
 
+void MainWindow::open_tool(const Tool& tool) {
+  QWidget* window = tool.open({});
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  window->show();
+  auto* study = qobject_cast<StudyWindow*>(window);
+  if (study == nullptr) return;
+  study->set_apply_target(true);
+  if (const auto brdf = brdf_controller_->common_brdf())
+    study->set_brdf(*brdf, brdf_controller_->common_brdf_definitions());
+  connect(study, &StudyWindow::applied, brdf_controller_, &BrdfController::assign);
+}
+
 void MainWindow::make_help_menu() {
   QMenu* menu = add_menu(*menuBar(), tr("&Tools"));
   for (const Tool& tool : tools()) {
-    menu->addAction(new_action(*this, {tool.title, {}, {}, tool.about}, [tool] {
-      QWidget* window = tool.open({});
-      window->setAttribute(Qt::WA_DeleteOnClose);
-      window->show();
-    }));
+    menu->addAction(new_action(*this, {tool.title, {}, {}, tool.about}, [this, tool] { open_tool(tool); }));
   }
   QMenu* help = add_menu(*menuBar(), tr("&Help"));
   help->addAction(new_action(

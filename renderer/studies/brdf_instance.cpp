@@ -8,6 +8,7 @@
 
 #include "grf/read.h"
 #include "grf/text_file.h"
+#include "grf/visit.h"
 #include "renderer/reflectance/brdf_maker.h"
 
 namespace studies {
@@ -23,9 +24,16 @@ std::optional<grf::BrdfModel> read_model(const std::string& instance, grf::Diagn
 
 }  // namespace
 
-std::optional<reflectance::Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& diagnostics) {
+std::optional<reflectance::Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& diagnostics,
+                                           std::span<const grf::Definition> definitions) {
   if (!grf::check(model, reflectance::brdf_infos(), "BRDF", diagnostics)) return std::nullopt;
-  const auto brdf = reflectance::BrdfMaker(diagnostics).make(model, {});
+  grf::ScopeStack stack;
+  for (const grf::Definition& definition : definitions) {
+    const auto& body = std::get<grf::BrdfModel>(definition.body);
+    if (!grf::check(body, reflectance::brdf_infos(), "BRDF", diagnostics)) return std::nullopt;
+    stack.enter(definition);
+  }
+  const auto brdf = reflectance::BrdfMaker(diagnostics).make(model, stack.scope());
   return brdf ? std::optional(*brdf) : std::nullopt;
 }
 

@@ -2,17 +2,19 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "grf/diagnostics.h"
-#include "grf/model.h"
+#include "grf/scene.h"
 #include "renderer/reflectance/reflector.h"
 
 namespace studies {
 
-/// Checks a BRDF and makes it ready for evaluation; returns nothing after an error. A `combine` is an error,
-/// as there are no definitions.
-std::optional<reflectance::Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& diagnostics);
+/// Checks a BRDF and makes it ready for evaluation; returns nothing after an error. The terms of a `combine`
+/// are looked up in the definitions.
+std::optional<reflectance::Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& diagnostics,
+                                           std::span<const grf::Definition> definitions = {});
 
 /// Makes the sampling scheme of a `pdf`, without its tables; returns nothing after an error in it, or if it
 /// does not support the BRDF.

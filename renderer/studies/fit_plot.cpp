@@ -150,34 +150,36 @@ void draw_lobe_panel(const std::vector<ReadFit>& fits, const FitPlotSettings& se
   const ReadFit& first = fits.front();
   const plot::LobeStyle style = {plot::Channel::Mean, settings.cosine, settings.logarithmic};
   const plot::LobeMesh mesh = plot::lobe_mesh(first.brdf, first.u, style, Grid, context.is_stopped);
-  double peak = mesh.peak;
+  // f has poles at the horizon, beside which all else would vanish: the values of the files set the scale.
+  double peak = 0;
   for (const ReadFit& fit : fits) {
-    // Directions between the grid's may be brighter than all of it, and a pdf may be anything.
-    for (const ComparedPoint& point : fit.points)
-      peak = std::max(peak, mesh.peak > 0 ? std::min(point.value, 4 * mesh.peak) : point.value);
+    for (const ComparedPoint& point : fit.points) peak = std::max(peak, point.value);
   }
+  if (!(peak > 0)) peak = mesh.peak;
+  const auto radius_of = [&](double value) {
+    return static_cast<float>(plot::lobe_radius(std::clamp(value, 0.0, peak), peak, settings.logarithmic));
+  };
   std::vector<PointCloud> clouds;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     clouds.push_back({{}, colour_of(i)});
-    for (const ComparedPoint& point : fits[i].points) {
-      const double radius = plot::lobe_radius(std::min(point.value, peak), peak, settings.logarithmic);
-      clouds.back().positions.push_back(point.direction * static_cast<float>(radius));
-    }
+    for (const ComparedPoint& point : fits[i].points)
+      clouds.back().positions.push_back(point.direction * radius_of(point.value));
   }
   plot::LobeMesh scaled = mesh;
-  for (std::size_t i = 0; i < scaled.positions.size(); ++i) {
-    const double radius = plot::lobe_radius(mesh.values[i], peak, settings.logarithmic);
-    scaled.positions[i] = mesh.directions[i] * static_cast<float>(radius);
-  }
+  for (std::size_t i = 0; i < scaled.positions.size(); ++i)
+    scaled.positions[i] = mesh.directions[i] * radius_of(mesh.values[i]);
   const HemisphereView view(settings.azimuth, settings.elevation, LobePlace);
   draw_lobe(scaled, Grid, LobeColour, clouds, view, svg);
   draw_direction({0, 0, 1}, "n", "2 3", view, svg);
   draw_direction(first.u, "view", "", view, svg);
   draw_direction(reflectance::mirrored(first.u), "mirror", "6 3", view, svg);
-  svg.text({LobePlace.corner.x, LobePlace.corner.y + LobePlace.height + 22},
-           fmt::format("The radius is {}{}; at 1 it is {:.4g} 1/sr.", settings.cosine ? "f cos" : "f",
-                       settings.logarithmic ? ", logarithmic" : "", peak),
-           {11, "#666", Anchor::Start, 0});
+  svg.text(
+      {LobePlace.corner.x, LobePlace.corner.y + LobePlace.height + 22},
+      fmt::format(
+          "The radius is {}{}, {:.4g} 1/sr at the rim{}.", settings.cosine ? "f cos" : "f",
+          settings.logarithmic ? " on a logarithmic scale" : "", peak,
+          mesh.peak > peak * 1.001 ? fmt::format("; the lobe reaches {:.4g} and is cut", mesh.peak) : ""),
+      {11, "#666", Anchor::Start, 0});
 }
 
 void draw_disc_panel(const std::vector<ReadFit>& fits, const FitPlotSettings& settings, plot::Svg& svg) {
@@ -258,7 +260,8 @@ std::string csv_of(const std::vector<ReadFit>& fits) {
   for (const ReadFit& fit : fits) {
     for (const ComparedPoint& point : fit.points) {
       const Vec3f& v = point.direction;
-      text += fmt::format("{},{},{},{},{},{}\n", fit.name, v.x, v.y, v.z, point.value, point.expected);
+      text += fmt::format("{},{},{},{},{},{}\n", fit.name, v.x, v.y, v.z, static_cast<float>(point.value),
+                          static_cast<float>(point.expected));
     }
   }
   return text;

@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 
 #include "grf/keywords.h"
+#include "grf/text_file.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/studies/environment_viewer.h"
 #include "renderer/studies/fit_plot.h"
+#include "renderer/studies/mini_render.h"
+#include "renderer/transport/image/image.h"
 
 namespace studies {
 namespace {
@@ -40,13 +43,40 @@ bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diag
   return is_valid;
 }
 
-std::vector<StudyTool> study_tools() { return {environment_viewer_tool(), fit_plot_tool()}; }
+std::vector<StudyTool> study_tools() {
+  return {mini_render_tool(), environment_viewer_tool(), fit_plot_tool()};
+}
 
 std::optional<ToolState> initial_state(std::string_view name) {
   for (const StudyTool& tool : study_tools()) {
     if (grf::same_keyword(tool.name(), name)) return tool.initial;
   }
   return std::nullopt;
+}
+
+std::vector<DataFile> data_files_of(const Study& study) {
+  std::vector<DataFile> files;
+  const auto add_text = [&](const char* extension, const char* title, const std::string& text) {
+    if (text.empty()) return;
+    files.push_back({extension, title, [text](const std::string& path, grf::Diagnostics& diagnostics) {
+                       return grf::replace_file(path, text, diagnostics);
+                     }});
+  };
+  add_text("csv", "Values", study.csv);
+  add_text("fit", "Directions", study.fit);
+  files.insert(files.end(), study.files.begin(), study.files.end());
+  return files;
+}
+
+bool write_data(const Study& study, const std::string& path, grf::Diagnostics& diagnostics) {
+  std::vector<std::string> extensions;
+  for (const DataFile& file : data_files_of(study)) {
+    if (transport::has_extension(path, file.extension)) return file.write(path, diagnostics);
+    extensions.push_back('.' + file.extension);
+  }
+  diagnostics.error(grf::whole_file(path),
+                    fmt::format("the data of this study can be written as {}", fmt::join(extensions, ", ")));
+  return false;
 }
 
 std::optional<Study> study_of(const ToolState& state, const StudyContext& context,

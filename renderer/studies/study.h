@@ -11,12 +11,21 @@
 
 namespace studies {
 
+/// A file that a study can be exported as, besides its figure.
+struct DataFile {
+  std::string extension;  ///< lower case, without the dot
+  std::string title;      ///< of the format
+  /// Writes the file; returns false after an error.
+  std::function<bool(const std::string& path, grf::Diagnostics& diagnostics)> write;
+};
+
 /// The result of a study: a figure, and the data that it shows.
 struct Study {
   plot::Svg figure;
-  std::string summary;  ///< the result in a sentence
-  std::string csv;      ///< comma-separated values, with a header line; empty if there are none
-  std::string fit;      ///< text of a FIT file; empty if there is none
+  std::string summary;               ///< the result in a sentence
+  std::string csv;                   ///< comma-separated values, with a header line; empty if there are none
+  std::string fit;                   ///< text of a FIT file; empty if there is none
+  std::vector<DataFile> files = {};  ///< other exports than CSV and FIT
   /// Describes what is at a point of the figure; empty text for nothing. May be null.
   std::function<std::string(const plot::Point& point)> describe = {};
 };
@@ -25,6 +34,8 @@ struct Study {
 struct StudyContext {
   plot::Paper paper = plot::Paper::White;
   std::function<bool()> is_stopped = {};  ///< polled; then the result does not matter
+  /// Called with a study that is not done yet, a few times a second at most; null if only the result matters.
+  std::function<void(const Study& study)> refined = {};
 };
 
 /// A row of the table of study tools. A window's form and the validation of states follow from it.
@@ -38,6 +49,10 @@ struct StudyTool {
   bool takes_many_files = false;
   std::string_view azimuth = {};  ///< settings that dragging the figure changes, in degrees; empty: none
   std::string_view elevation = {};
+  /// Turns the view of a state by so many degrees, where that is not a change of two settings; may be null.
+  void (*turn)(ToolState& state, double azimuth, double elevation) = nullptr;
+  /// Adapts the settings of a state to files that were just opened; may be null. Reports errors in them.
+  void (*open)(ToolState& state, grf::Diagnostics& diagnostics) = nullptr;
   std::string_view animated = {};  ///< the setting that an animation goes through; empty: none
 
   /// Makes the study of a state that was checked; returns nothing after an error.
@@ -55,6 +70,12 @@ std::optional<ToolState> initial_state(std::string_view tool);
 
 /// Checks a state against a tool: the values of its settings, and the number and values of its models.
 bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diagnostics);
+
+/// Returns the files that a study can be exported as besides its figure: CSV, FIT and others.
+std::vector<DataFile> data_files_of(const Study& study);
+
+/// Exports a study's data as the file's extension says; returns false after an error.
+bool write_data(const Study& study, const std::string& path, grf::Diagnostics& diagnostics);
 
 /// Checks a state against its tool, and makes its study; returns nothing after an error.
 std::optional<Study> study_of(const ToolState& state, const StudyContext& context,

@@ -50,8 +50,7 @@ class Reader {
       is_valid = read_line(rest.substr(0, end), line) && is_valid;
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
-    if (is_valid && state_.settings.keyword.empty())
-      return fail(1, 0, "found no 'tool', which names the tool");
+    if (is_valid && !has_tool_) return fail(1, 0, "found no 'tool', which names the tool");
     return is_valid ? std::optional(std::move(state_)) : std::nullopt;
   }
 
@@ -77,28 +76,30 @@ class Reader {
 
   bool take(const Statement& statement) {
     const bool is_tool = grf::same_keyword(statement.keyword, "tool");
-    if (state_.settings.keyword.empty() && !is_tool) {
+    if (!has_tool_ && !is_tool) {
       fail(statement.line, statement.keyword_column,
            fmt::format("found '{}', expected 'tool' and the name of the tool first", statement.keyword));
       return false;
     }
     if (is_tool) return take_tool(statement);
     if (grf::same_keyword(statement.keyword, "distribution")) return take_distribution(statement);
-    if (grf::same_keyword(statement.keyword, "brdf"))
-      return add(grf::read_brdf(padded(statement), path_, diagnostics_), state_.brdfs);
+    if (grf::same_keyword(statement.keyword, "def")) return take_definition(statement);
+    if (grf::same_keyword(statement.keyword, "brdf")) return take_brdf(statement);
     if (grf::same_keyword(statement.keyword, "pdf"))
       return add(grf::read_pdf(padded(statement), path_, diagnostics_), state_.pdfs);
     if (grf::same_keyword(statement.keyword, "file")) return take_file(statement);
     fail(statement.line, statement.keyword_column,
-         fmt::format("found '{}', expected 'brdf', 'pdf', 'distribution' or 'file'", statement.keyword));
+         fmt::format("found '{}', expected 'brdf', 'pdf', 'def', 'distribution' or 'file'",
+                     statement.keyword));
     return false;
   }
 
   bool take_tool(const Statement& statement) {
-    if (!state_.settings.keyword.empty()) {
+    if (has_tool_) {
       fail(statement.line, statement.keyword_column, "found a second 'tool'");
       return false;
     }
+    has_tool_ = true;
     const auto settings = grf::read_pdf(padded(statement), path_, diagnostics_);
     if (settings) state_.settings = *settings;
     return settings.has_value();
@@ -108,6 +109,45 @@ class Reader {
     const auto distribution = grf::read_pdf(padded(statement), path_, diagnostics_);
     if (distribution) state_.distribution = *distribution;
     return distribution.has_value();
+  }
+
+  bool take_definition(const Statement& statement) {
+    const std::string words = "def " + std::string(statement.rest);
+    auto definition = read_definition({}, statement.keyword_column, words, statement);
+    if (definition) state_.definitions.push_back(std::move(*definition));
+    return definition.has_value();
+  }
+
+  bool take_brdf(const Statement& statement) {
+    constexpr std::string_view Sum = "combine";
+    if (!grf::same_keyword(statement.rest.substr(0, Sum.size()), Sum))
+      return add(grf::read_brdf(padded(statement), path_, diagnostics_), state_.brdfs);
+    const std::string words(statement.rest);
+    const auto definition = read_definition("def sum = brdf", statement.rest_column, words, statement);
+    if (definition) state_.brdfs.push_back(std::get<grf::BrdfModel>(definition->body));
+    return definition.has_value();
+  }
+
+  /// Reads the definition of a BRDF as a scene that consists of it, after definitions of the names that the
+  /// terms of a sum may have. These and `before` are in the line before, so that columns are those of the
+  /// file.
+  std::optional<grf::Definition> read_definition(std::string_view before, std::size_t column,
+                                                 const std::string& words, const Statement& statement) {
+    std::string text(statement.line - 2, '\n');
+    for (const grf::Definition& definition : state_.definitions)
+      text += fmt::format("def {} = brdf diffuse ", definition.name);
+    text.append(before).append("\n").append(column, ' ').append(words).append(" begin end");
+    const auto scene = grf::read_text(std::move(text), path_, diagnostics_);
+    if (!scene) return std::nullopt;
+    const auto* scope = scene->contents.blocks.size() == 1
+                            ? std::get_if<grf::DefinitionScope>(&scene->contents.blocks.front().content)
+                            : nullptr;
+    const bool is_brdf = scope != nullptr && scope->definitions.size() == state_.definitions.size() + 1 &&
+                         scope->body.blocks.empty() &&
+                         std::holds_alternative<grf::BrdfModel>(scope->definitions.back().body);
+    if (is_brdf) return scope->definitions.back();
+    return fail(statement.line, statement.keyword_column,
+                "expected one BRDF, and only BRDFs are defined in a state");
   }
 
   bool take_file(const Statement& statement) {
@@ -138,17 +178,33 @@ class Reader {
   std::string path_;
   grf::Diagnostics& diagnostics_;
   ToolState state_;
+  bool has_tool_ = false;  ///< even if it has a mistake
 };
 
-/// Returns a path as written in a file, absolute if that is empty.
+/// Returns a path as written in a file: relative to its folder if it was relative or is in that folder.
+/// Without a file it is absolute.
 std::string written(const std::string& path, const std::string& in_file) {
-  if (!in_file.empty()) return renamed(path, {}, in_file);
   std::error_code error;
+  if (!in_file.empty()) {
+    if (std::filesystem::path(path).is_relative()) return renamed(path, {}, in_file);
+    const std::filesystem::path folder = std::filesystem::absolute(in_file, error).parent_path();
+    const std::string relative = std::filesystem::path(path).lexically_relative(folder).generic_string();
+    return relative.empty() || relative.starts_with("..") ? path : relative;
+  }
   const std::filesystem::path absolute = std::filesystem::absolute(path, error);
   return error ? path : absolute.lexically_normal().generic_string();
 }
 
 std::string text_of(const grf::Model& model) { return grf::to_text(grf::PdfModel{model}); }
+
+/// Formats a BRDF with the path of its data file as written in a file.
+std::string text_of(grf::BrdfModel brdf, const std::string& in_file) {
+  if (!brdf.data_file.empty()) {
+    const std::string from = brdf.location.file ? brdf.location.file->path : std::string();
+    brdf.data_file = written(grf::path_beside(from, brdf.data_file), in_file);
+  }
+  return grf::to_text(brdf);
+}
 
 }  // namespace
 
@@ -157,16 +213,23 @@ std::optional<ToolState> read_state(const std::string& text, const std::string& 
   return Reader(text, path, diagnostics).read();
 }
 
+void set_number(grf::Model& settings, std::string_view name, float value) {
+  for (grf::Argument& argument : settings.arguments) {
+    if (!grf::same_keyword(argument.name, name)) continue;
+    argument.value = value;
+    return;
+  }
+  settings.arguments.push_back({std::string(name), value, {}});
+}
+
 std::string to_text(const ToolState& state, const std::string& path) {
   std::string text = fmt::format("tool {}\n", text_of(state.settings));
   if (state.distribution) text += fmt::format("distribution {}\n", text_of(*state.distribution));
-  for (grf::BrdfModel brdf : state.brdfs) {
-    if (!brdf.data_file.empty()) {
-      const std::string from = brdf.location.file ? brdf.location.file->path : std::string();
-      brdf.data_file = written(grf::path_beside(from, brdf.data_file), path);
-    }
-    text += fmt::format("brdf {}\n", grf::to_text(brdf));
+  for (const grf::Definition& definition : state.definitions) {
+    const std::string body = text_of(std::get<grf::BrdfModel>(definition.body), path);
+    text += fmt::format("def {} = brdf {}\n", definition.name, body);
   }
+  for (const grf::BrdfModel& brdf : state.brdfs) text += fmt::format("brdf {}\n", text_of(brdf, path));
   for (const grf::PdfModel& pdf : state.pdfs) text += fmt::format("pdf {}\n", grf::to_text(pdf));
   for (const ToolState::File& file : state.files) text += fmt::format("file {}\n", written(file.path, path));
   return text;

@@ -2,11 +2,12 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grf/catalogue.h"
 #include "grf/diagnostics.h"
-#include "grf/model.h"
+#include "grf/scene.h"
 
 namespace studies {
 
@@ -14,15 +15,17 @@ namespace studies {
 ///
 ///   // comment
 ///   tool subdivision nmax=2 depth=8
-///   brdf ward sx=0.1 sy=0.1
+///   def paint = brdf ward sx=0.1 sy=0.1
+///   brdf combine 0.5 paint
 ///   pdf adaptive
 ///   file samples.fit
 ///
-/// The first line names the tool. BRDFs and sampling schemes are written as in GRF, a file's name reaches to
-/// the end of its line and is relative to the state's own file.
+/// The first line names the tool. BRDFs, sampling schemes and definitions of BRDFs are written as in GRF, a
+/// file's name reaches to the end of its line and is relative to the state's own file.
 struct ToolState {
   grf::Model settings;  ///< the tool's name as keyword, and the values of its settings
   std::optional<grf::Model> distribution;
+  std::vector<grf::Definition> definitions;  ///< of BRDFs, for the terms of a `combine`
   std::vector<grf::BrdfModel> brdfs;
   std::vector<grf::PdfModel> pdfs;
 
@@ -41,6 +44,9 @@ struct ToolState {
 /// by the tool. Returns nothing after an error.
 std::optional<ToolState> read_state(const std::string& text, const std::string& path,
                                     grf::Diagnostics& diagnostics);
+
+/// Sets a number among the settings, by its name.
+void set_number(grf::Model& settings, std::string_view name, float value);
 
 /// Formats a state. Paths are written relative to the file that the text will be in; absolute if that is
 /// empty.

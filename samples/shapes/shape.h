@@ -64,7 +64,12 @@ using DirectionAlong = std::function<V3d(double along)>;
 Surface tube(const DirectionAlong& curve, const std::function<double(double along, double around)>& radius,
              const DirectionAlong& up);
 
-/// A twisted serpent with legs, wings, horns, spikes and scales.
+/// A trefoil whose tube has spiralling ridges and bumps: folds, shadows on itself, detail of all sizes.
+grf::Mesh knot(int triangles);
+/// A sphere of circles of latitude.
+grf::Mesh sphere(int triangles);
+/// A twisted serpent with legs, wings, horns, spikes and scales; 20,000 triangles show its shape, 200,000 its
+/// scales.
 grf::Mesh dragon(int triangles);
 /// A jug with a lip and a handle, open and with a wall of some thickness.
 grf::Mesh jug(int triangles);

@@ -55,6 +55,22 @@ TEST(ToolState, IsTheSameWhenItsTextIsRead) {
   EXPECT_THAT(to_text(state), HasSubstr("\nfile /")) << "absolute, for the clipboard";
 }
 
+TEST(ToolState, DefinesTheTermsOfSums) {
+  const ToolState state = state_of(
+      "tool minibpt\ndef a = brdf ward sx=0.2\n  def b = brdf measured \"m.binary\"\nbrdf combine 1 a 1 b\n");
+  ASSERT_EQ(state.definitions.size(), 2U);
+  EXPECT_EQ(state.definitions[1].name, "b");
+  EXPECT_THAT(
+      to_text(state, "other/c.study"),
+      HasSubstr("def a = brdf ward sx=0.2\ndef b = brdf measured \"../folder/m.binary\"\nbrdf combine 1 a"));
+  EXPECT_EQ(state_of(to_text(state, "folder/b.study")), state);
+  EXPECT_THAT(message_of("tool minibpt\ndef a = pdf auto\n"),
+              HasSubstr("a.study:2:1: error: expected one BRDF, and only BRDFs are defined"));
+  EXPECT_THAT(message_of("tool minibpt\n  def = brdf ward\n"), HasSubstr("a.study:2:7: error"));
+  EXPECT_THAT(message_of("tool minibpt\ndef a = brdf ward begin end def b = brdf ward\n"),
+              HasSubstr("a.study:2:1: error"));
+}
+
 TEST(ToolState, SaysWhereATextIsWrong) {
   EXPECT_THAT(message_of(""), HasSubstr("a.study:1:1: error: found no 'tool'"));
   EXPECT_THAT(message_of("// nothing\n"), HasSubstr("error: found no 'tool'"));
@@ -91,8 +107,12 @@ TEST(Study, OfEachToolHasAnInitialState) {
     EXPECT_EQ(tool.initial.settings.keyword, tool.name());
     grf::Diagnostics diagnostics;
     EXPECT_TRUE(check(tool.initial, tool, diagnostics)) << diagnostics.to_text();
-    const auto study = studies::study_of(tool.initial, {}, diagnostics);
-    EXPECT_TRUE(study || !tool.files.empty()) << diagnostics.to_text();
+    bool is_refined = false;  // the first picture is enough
+    studies::StudyContext context;
+    context.refined = [&](const studies::Study&) { is_refined = true; };
+    context.is_stopped = [&] { return is_refined; };
+    const auto study = studies::study_of(tool.initial, context, diagnostics);
+    EXPECT_TRUE(study || is_refined || !tool.files.empty()) << diagnostics.to_text();
     for (const std::string_view name : {tool.azimuth, tool.elevation, tool.animated})
       EXPECT_TRUE(name.empty() || tool.settings.find(name) != nullptr) << name;
   }

@@ -185,6 +185,8 @@ std::vector<Picture> manual_pictures() {
       {"images", compared_images},
       {"options", option_window},
       {"viewer", viewer_window},
+      {"tool_minibpt", [] { return study_window(Samples + "studies/tools/equal_time.study"); }},
+      {"tool_fitplot", [] { return study_window(Samples + "studies/tools/figure_6_11.study"); }},
       {"shortcuts", shortcut_list},
       {"modes", display_modes},
       {"messages", messages},

@@ -2,6 +2,7 @@
 #include "tests/editor/window/accessibility.h"
 
 #include <QDialog>
+#include <QDir>
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
@@ -135,13 +136,26 @@ TEST_F(Accessibility, OfTheTools) {
   }
 }
 
+/// A sample file for each tool; for study tools the state of a study.
+std::map<QString, QString> sample_files() {
+  const QString box = GRANADA_SOURCE_DIR "/samples/cornell_box/cornell_box";
+  std::map<QString, QString> files = {
+      {"grfviewer", box + ".grf"}, {"op", box + ".op"}, {"image", box + ".png"}};
+  for (const QFileInfo& study :
+       QDir(GRANADA_SOURCE_DIR "/samples/studies/tools").entryInfoList({"*.study"}, QDir::Files)) {
+    const std::string text = test::bytes_of(study.filePath().toStdString());
+    const std::size_t name = text.find("tool ") + 5;
+    files[QString::fromStdString(text.substr(name, text.find_first_of(" \n", name) - name))] =
+        study.filePath();
+  }
+  return files;
+}
+
 TEST_F(Accessibility, OfTheToolsWithFiles) {
-  const std::map<QString, QString> files = {
-      {"grfviewer", "cornell_box.grf"}, {"op", "cornell_box.op"}, {"image", "cornell_box.png"}};
+  const std::map<QString, QString> files = sample_files();
   for (const Tool& tool : tools()) {
     SCOPED_TRACE(tool.name.toStdString());
-    const std::unique_ptr<QWidget> window(
-        tool.open({GRANADA_SOURCE_DIR "/samples/cornell_box/" + files.at(tool.name)}));
+    const std::unique_ptr<QWidget> window(tool.open({files.at(tool.name)}));
     window->show();
     window->activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
