@@ -11,7 +11,7 @@
 
 namespace studies {
 
-/// The directions at the position (across, down) of an environment map, (0, 0) its upper left corner and
+/// Returns the direction at a position (across, down) of an environment map, (0, 0) its upper left corner and
 /// (1, 1) the lower right one.
 reflectance::Vec3f map_direction(double across, double down);
 
