@@ -7,6 +7,7 @@
 #include "grf/keywords.h"
 #include "grf/text_file.h"
 #include "renderer/reflectance/scheme.h"
+#include "renderer/studies/environment_viewer.h"
 #include "renderer/studies/fit_plot.h"
 #include "renderer/studies/mini_render.h"
 #include "renderer/studies/rejection/tool.h"
@@ -43,7 +44,9 @@ bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diag
   return is_valid;
 }
 
-std::vector<StudyTool> study_tools() { return {mini_render_tool(), fit_plot_tool(), rejection_tool()}; }
+std::vector<StudyTool> study_tools() {
+  return {mini_render_tool(), environment_viewer_tool(), rejection_tool(), fit_plot_tool()};
+}
 
 std::optional<ToolState> initial_state(std::string_view name) {
   for (const StudyTool& tool : study_tools()) {
