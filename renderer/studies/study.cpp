@@ -10,6 +10,7 @@
 #include "renderer/studies/fit_plot.h"
 #include "renderer/studies/mini_render.h"
 #include "renderer/studies/rejection/tool.h"
+#include "renderer/studies/subdivision_tool.h"
 #include "renderer/transport/image/image.h"
 
 namespace studies {
@@ -43,7 +44,9 @@ bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diag
   return is_valid;
 }
 
-std::vector<StudyTool> study_tools() { return {mini_render_tool(), fit_plot_tool(), rejection_tool()}; }
+std::vector<StudyTool> study_tools() {
+  return {mini_render_tool(), fit_plot_tool(), rejection_tool(), subdivision_tool()};
+}
 
 std::optional<ToolState> initial_state(std::string_view name) {
   for (const StudyTool& tool : study_tools()) {
