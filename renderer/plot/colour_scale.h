@@ -1,4 +1,4 @@
-// Logarithmic colour maps.
+// Colour maps.
 #pragma once
 
 #include "grf/math.h"
@@ -28,5 +28,31 @@ class ColourScale {
 
 /// Draws a vertical colour bar with values at its right.
 void draw(const ColourScale& scale, const Rectangle& place, Svg& svg);
+
+/// A linear colour map, whose lightness tells more from less.
+class LinearColourScale {
+ public:
+  enum class Palette {
+    Sequential,  ///< the colours of `ColourScale`
+    Diverging,   ///< blue, white, red, for values about a middle (RdBu of ColorBrewer.org)
+  };
+
+  /// Takes the values of the first and the last colour; values beyond have those.
+  LinearColourScale(double lowest, double highest, Palette palette);
+
+  double lowest() const { return lowest_; }
+  double highest() const { return highest_; }
+
+  /// Returns the colour of a value, sRGB-encoded, 0 to 1.
+  grf::Colour colour(double value) const;
+
+ private:
+  double lowest_;
+  double highest_;
+  Palette palette_;
+};
+
+/// Draws a vertical colour bar with values at its right, five of them.
+void draw(const LinearColourScale& scale, const Rectangle& place, Svg& svg);
 
 }  // namespace plot

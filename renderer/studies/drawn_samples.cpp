@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <chrono>
 
-#include "renderer/transport/sobol.h"
-
 namespace studies {
 
 DrawnSamples draw_samples(const reflectance::Reflector& reflector, const reflectance::Vec3f& u,
-                          std::uint32_t count, std::uint32_t seed) {
+                          std::uint32_t count, std::uint32_t seed, transport::SamplePattern pattern) {
   // Random numbers are made before the clock starts.
   std::vector<reflectance::Uniforms> points;
   points.reserve(count);
+  const transport::SampleSet set(0, transport::hash(seed, 0), pattern);
   for (std::uint32_t i = 0; i < count; ++i) {
-    const transport::Uniform4 point = transport::sobol_point(i, transport::hash(seed, 0));
+    const transport::Uniform4 point = set[static_cast<int>(i)];
     points.push_back({point.xy(), point.z});
   }
   DrawnSamples drawn;

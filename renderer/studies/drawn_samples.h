@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/reflectance/reflector.h"
+#include "renderer/transport/sobol.h"
 
 namespace studies {
 
@@ -17,9 +18,11 @@ struct DrawnSamples {
   std::size_t count() const { return samples.size() + rejected; }
 };
 
-/// Draws samples by scrambled Sobol points, as the path tracer does. The seed chooses the scrambling.
+/// Draws samples by scrambled Sobol points, as the path tracer does, or by independent random numbers. The
+/// seed chooses the scrambling.
 DrawnSamples draw_samples(const reflectance::Reflector& reflector, const reflectance::Vec3f& u,
-                          std::uint32_t count, std::uint32_t seed);
+                          std::uint32_t count, std::uint32_t seed,
+                          transport::SamplePattern pattern = transport::SamplePattern::Sobol);
 
 /// Statistics of the sample weights f cos / pdf. All are means over RGB, in units of the albedo: the weights
 /// of perfect importance sampling are 1.

@@ -11,6 +11,7 @@
 #include "renderer/studies/fit_plot.h"
 #include "renderer/studies/mini_render.h"
 #include "renderer/studies/rejection/tool.h"
+#include "renderer/studies/subdivision_tool.h"
 #include "renderer/transport/image/image.h"
 
 namespace studies {
@@ -45,7 +46,7 @@ bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diag
 }
 
 std::vector<StudyTool> study_tools() {
-  return {mini_render_tool(), environment_viewer_tool(), rejection_tool(), fit_plot_tool()};
+  return {mini_render_tool(), environment_viewer_tool(), rejection_tool(), subdivision_tool(), fit_plot_tool()};
 }
 
 std::optional<ToolState> initial_state(std::string_view name) {

@@ -61,4 +61,30 @@ TEST(ColourScale, IsDrawnWithItsPowersOfTen) {
   EXPECT_GT(test::elements(drawn(ColourScale(0.3, 3)), "rect").size(), 50U);
 }
 
+TEST(LinearColourScale, GoesFromTheFirstColourToTheLast) {
+  using plot::LinearColourScale;
+  const LinearColourScale diverging(-4, 4, LinearColourScale::Palette::Diverging);
+  EXPECT_EQ(plot::hexadecimal(diverging.colour(-4)), "#2166ac");
+  EXPECT_EQ(plot::hexadecimal(diverging.colour(-9)), "#2166ac") << "and beyond";
+  EXPECT_EQ(plot::hexadecimal(diverging.colour(0)), "#f7f7f7");
+  EXPECT_EQ(plot::hexadecimal(diverging.colour(1)), "#fddbc7");
+  EXPECT_EQ(plot::hexadecimal(diverging.colour(4)), "#b2182b");
+  const LinearColourScale sequential(0, 1, LinearColourScale::Palette::Sequential);
+  EXPECT_EQ(plot::hexadecimal(sequential.colour(0)), "#ffffd9");
+  EXPECT_EQ(plot::hexadecimal(sequential.colour(0.5)), "#41b6c4");
+  EXPECT_EQ(plot::hexadecimal(sequential.colour(1)), "#081d58");
+  const LinearColourScale one_value(3, 3, LinearColourScale::Palette::Sequential);
+  EXPECT_EQ(plot::hexadecimal(one_value.colour(3)), "#ffffd9");
+}
+
+TEST(LinearColourScale, IsDrawnWithFiveValues) {
+  plot::Svg svg(100, 200);
+  draw(plot::LinearColourScale(-4, 4, plot::LinearColourScale::Palette::Diverging), {{10, 10}, 20, 180}, svg);
+  const auto drawn = test::svg_of(svg.str());
+  EXPECT_THAT(test::texts(drawn), testing::ElementsAre("-4", "-2", "0", "2", "4"));
+  std::vector<double> heights;
+  for (const auto& text : test::elements(drawn, "text")) heights.push_back(text.get<double>("<xmlattr>.y"));
+  EXPECT_THAT(heights, testing::ElementsAre(194, 149, 104, 59, 14)) << "from below";
+}
+
 }  // namespace

@@ -147,6 +147,30 @@ TEST(RejectionTree, NeedsNoMoreTriesThanItIsToldAndMoreNodesForFewer) {
   }
 }
 
+TEST(RejectionTree, IsNotDeeperThanItMayBe) {
+  const DiscGrid grid(64);
+  const auto deepest = [&](int most_depth) {
+    const RejectionTree tree(values_of(grid, bump), grid, 1.05F, false, most_depth);
+    int depth = 0;
+    double mass = 0;
+    tree.visit_leaves([&](const RejectionTree::Leaf& leaf, int of_leaf) {
+      EXPECT_LT(leaf.node->children, 0);
+      EXPECT_EQ(leaf.cells.x1 - leaf.cells.x0, 64 >> of_leaf);
+      depth = std::max(depth, of_leaf);
+      mass += leaf.node->integral;
+    });
+    EXPECT_NEAR(mass, tree.nodes()[0].integral, 1e-5);
+    return depth;
+  };
+  EXPECT_EQ(deepest(0), 0);
+  EXPECT_EQ(deepest(1), 1);
+  EXPECT_EQ(deepest(4), 4);
+  EXPECT_EQ(deepest(RejectionTree::AnyDepth), 6) << "single cells";
+  const RejectionTree any(values_of(grid, bump), grid, 1.5F, false);
+  const RejectionTree six(values_of(grid, bump), grid, 1.5F, false, 6);
+  EXPECT_EQ(any.nodes().size(), six.nodes().size());
+}
+
 TEST(RejectionTree, IsDefinedForOneSpike) {
   const DiscGrid grid(100);
   std::vector<float> values(100 * 100);

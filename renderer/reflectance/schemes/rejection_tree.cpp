@@ -17,11 +17,11 @@ Box DiscGrid::box(const CellRange& cells, int resolution) {
 }
 
 RejectionTree::RejectionTree(const std::vector<float>& values, const DiscGrid& grid, float most_tries,
-                             bool keep_table)
+                             bool keep_table, int most_depth)
     : resolution_(grid.resolution()) {
   fill(values, grid);
   nodes_.push_back(measured(whole(), grid));
-  split(0, whole(), grid, most_tries);
+  split(0, whole(), grid, most_tries, most_depth);
   nodes_.shrink_to_fit();
 
   const Node& root = nodes_.front();
@@ -66,15 +66,17 @@ RejectionTree::Node RejectionTree::measured(const CellRange& cells, const DiscGr
   return {static_cast<float>(integral), maximum, -1};
 }
 
-void RejectionTree::split(std::size_t index, const CellRange& cells, const DiscGrid& grid, float most_tries) {
+/// Splits a node that needs it, and the nodes below it down to so many levels.
+void RejectionTree::split(std::size_t index, const CellRange& cells, const DiscGrid& grid, float most_tries,
+                          int levels) {
   const Node node = nodes_[index];
-  if (cells.is_one() || !(node.integral > 0)) return;
+  if (levels <= 0 || cells.is_one() || !(node.integral > 0)) return;
   const double volume = inside_disc(DiscGrid::box(cells, resolution_)).area() * node.maximum;
   if (node.integral * most_tries >= volume) return;
   const std::size_t children = nodes_.size();
   nodes_[index].children = static_cast<std::int32_t>(children);
   for (int i = 0; i < 4; ++i) nodes_.push_back(measured(cells.quarter(i), grid));
-  for (int i = 0; i < 4; ++i) split(children + i, cells.quarter(i), grid, most_tries);
+  for (int i = 0; i < 4; ++i) split(children + i, cells.quarter(i), grid, most_tries, levels - 1);
 }
 
 RejectionTree::Leaf RejectionTree::leaf_of(double choice) const {

@@ -68,14 +68,17 @@ class RejectionTree {
 
   /// The maximal number of tries of rejection in a leaf.
   static constexpr int Bound = 4096;
+  /// A depth that no tree reaches.
+  static constexpr int AnyDepth = 1000;
 
   RejectionTree() = default;
 
   /// Builds the tree from values >= 0 of all cells in row order. Those inside the disc are raised to 1 % of
   /// the mean, since f may be larger between the points of evaluation; if all are 0, to one value. An
   /// infinite `most_tries` gives only a root. Without `keep_table` the values are dropped and only leaves
-  /// stay.
-  RejectionTree(const std::vector<float>& values, const DiscGrid& grid, float most_tries, bool keep_table);
+  /// stay. Nodes at `most_depth` are leaves, whatever tries they need; the root has depth 0.
+  RejectionTree(const std::vector<float>& values, const DiscGrid& grid, float most_tries, bool keep_table,
+                int most_depth = AnyDepth);
 
   /// Picks a leaf in proportion to its integral; choice is in [0,1).
   Leaf leaf_of(double choice) const;
@@ -122,15 +125,27 @@ class RejectionTree {
   /// Returns the pdf on the disc of a value of 1. It accounts for the samples that the bound discards.
   float pdf_of_one() const { return pdf_of_one_; }
 
+  /// Returns the original value of a 1 in the table.
+  float largest() const { return largest_; }
+
   std::span<const Node> nodes() const { return nodes_; }
+
+  /// Returns the cells of the root.
+  CellRange whole() const { return {0, 0, resolution_, resolution_}; }
+
+  /// Visits all leaves, depth first: calls visit(leaf, depth).
+  template <class Visit>
+  void visit_leaves(Visit visit) const {
+    visit_leaves(0, whole(), 0, visit);
+  }
+
   std::size_t bytes() const {
     return sizeof(*this) + nodes_.capacity() * sizeof(Node) + table_.capacity() * sizeof(half);
   }
 
  private:
-  CellRange whole() const { return {0, 0, resolution_, resolution_}; }
   void fill(const std::vector<float>& values, const DiscGrid& grid);
-  void split(std::size_t index, const CellRange& cells, const DiscGrid& grid, float most_tries);
+  void split(std::size_t index, const CellRange& cells, const DiscGrid& grid, float most_tries, int levels);
   Node measured(const CellRange& cells, const DiscGrid& grid) const;
 
   /// Distributes `count` points over the four children.
@@ -145,6 +160,13 @@ class RejectionTree {
     for (int i = 0; i < 4; ++i) {
       if (counts[i] > 0) distribute(node.children + i, cells.quarter(i), counts[i], more, visit);
     }
+  }
+
+  template <class Visit>
+  void visit_leaves(std::size_t index, const CellRange& cells, int depth, Visit& visit) const {
+    const Node& node = nodes_[index];
+    if (node.children < 0) return visit(Leaf{&node, cells}, depth);
+    for (int i = 0; i < 4; ++i) visit_leaves(node.children + i, cells.quarter(i), depth + 1, visit);
   }
 
   int resolution_ = 0;

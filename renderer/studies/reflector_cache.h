@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "renderer/studies/brdf_instance.h"
+
+namespace studies {
+
+/// Returns a text that is the same for the same BRDF: with the definitions that a `combine` may use, and the
+/// paths and times of data files.
+std::string identity_of(const grf::BrdfModel& model, std::span<const grf::Definition> definitions = {});
+
+/// Returns a BRDF with a sampling scheme that supports it, with the scheme's tables. The last few are kept,
+/// so that a figure follows its view and its other settings without building them again. May be called from
+/// any thread.
+std::shared_ptr<const reflectance::Reflector> cached_reflector(const std::string& identity,
+                                                               const reflectance::Brdf& brdf,
+                                                               const grf::PdfModel& pdf);
+
+}  // namespace studies
