@@ -274,10 +274,10 @@ void StudyWindow::request() {
   const plot::Paper paper = theme_of(palette()) == Theme::Dark ? plot::Paper::Dark : plot::Paper::White;
   show_busy(true);
   job_.start(
-      [window = QPointer<StudyWindow>(this), state = state_, paper](const StopFlag& stop) {
+      [window = QPointer<StudyWindow>(this), state = state_, paper, cache = cache_](const StopFlag& stop) {
         auto outcome = std::make_shared<Outcome>();
         grf::Diagnostics diagnostics;
-        studies::StudyContext context{paper, [stop] { return stop.is_set(); }, {}};
+        studies::StudyContext context{paper, [stop] { return stop.is_set(); }, {}, cache};
         context.refined = [window, stop](const studies::Study& study) {
           QMetaObject::invokeMethod(
               qApp,

@@ -107,6 +107,7 @@ class StudyWindow : public QMainWindow {
   std::vector<studies::ToolState> steps_;  ///< of undo; the current one is at `step_`
   std::size_t step_ = 0;
   std::optional<studies::Study> study_;
+  std::shared_ptr<studies::StudyCache> cache_ = std::make_shared<studies::StudyCache>();
   BackgroundJob<std::shared_ptr<Outcome>> job_{this};
   BackgroundJob<QString> writing_{this};
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "renderer/studies/brdf_instance.h"
+#include "renderer/studies/study_cache.h"
 
 namespace studies {
 
@@ -12,10 +13,9 @@ namespace studies {
 /// paths and times of data files.
 std::string identity_of(const grf::BrdfModel& model, std::span<const grf::Definition> definitions = {});
 
-/// Returns a BRDF with a sampling scheme that supports it, with the scheme's tables. The last few are kept,
-/// so that a figure follows its view and its other settings without building them again. May be called from
-/// any thread.
-std::shared_ptr<const reflectance::Reflector> cached_reflector(const std::string& identity,
+/// Returns a BRDF with a sampling scheme that supports it, with the scheme's tables, which are built unless
+/// the cache has them. The cache may be null.
+std::shared_ptr<const reflectance::Reflector> cached_reflector(StudyCache* cache, const std::string& identity,
                                                                const reflectance::Brdf& brdf,
                                                                const grf::PdfModel& pdf);
 

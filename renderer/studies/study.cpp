@@ -7,11 +7,11 @@
 #include "grf/keywords.h"
 #include "grf/text_file.h"
 #include "renderer/reflectance/scheme.h"
-#include "renderer/studies/environment_viewer.h"
+#include "renderer/studies/environment/viewer.h"
 #include "renderer/studies/fit_plot.h"
-#include "renderer/studies/mini_render.h"
+#include "renderer/studies/mini/render.h"
 #include "renderer/studies/rejection/tool.h"
-#include "renderer/studies/subdivision_tool.h"
+#include "renderer/studies/subdivision/tool.h"
 #include "renderer/transport/image/image.h"
 
 namespace studies {
@@ -46,7 +46,8 @@ bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diag
 }
 
 std::vector<StudyTool> study_tools() {
-  return {mini_render_tool(), environment_viewer_tool(), rejection_tool(), subdivision_tool(), fit_plot_tool()};
+  return {mini_render_tool(), environment_viewer_tool(), rejection_tool(), subdivision_tool(),
+          fit_plot_tool()};
 }
 
 std::optional<ToolState> initial_state(std::string_view name) {

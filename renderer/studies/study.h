@@ -2,11 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "renderer/plot/svg.h"
+#include "renderer/studies/study_cache.h"
 #include "renderer/studies/tool_state.h"
 
 namespace studies {
@@ -36,6 +38,7 @@ struct StudyContext {
   std::function<bool()> is_stopped = {};  ///< polled; then the result does not matter
   /// Called with a study that is not done yet, a few times a second at most; null if only the result matters.
   std::function<void(const Study& study)> refined = {};
+  std::shared_ptr<StudyCache> cache = {};  ///< of earlier studies; null: all is made anew
 };
 
 /// A row of the table of study tools. A window's form and the validation of states follow from it.

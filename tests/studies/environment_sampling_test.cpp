@@ -1,5 +1,3 @@
-#include "renderer/studies/environment_sampling.h"
-
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -10,7 +8,8 @@
 #include "renderer/studies/angles.h"
 #include "renderer/studies/brdf_instance.h"
 #include "renderer/studies/drawn_samples.h"
-#include "renderer/studies/environment_view.h"
+#include "renderer/studies/environment/sampling.h"
+#include "renderer/studies/environment/view.h"
 #include "tests/studies/filled_image.h"
 
 namespace {

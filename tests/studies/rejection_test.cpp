@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "grf/read.h"
-#include "renderer/studies/rejection/chi_square.h"
+#include "renderer/studies/goodness_of_fit.h"
 #include "renderer/studies/rejection/interval.h"
 #include "tests/studies/rejection_study.h"
 #include "tests/support/temporary_folder.h"
@@ -291,14 +291,19 @@ TEST(Rejection, IsAPicture) {
   }
 }
 
-TEST(RejectionChiSquare, HasThePValuesOfTables) {
-  EXPECT_NEAR(studies::chi_square_p_value({0.5, 0.5}, {44, 56}).value(), 0.230139, 1e-6) << "1.44, 1 degree";
+double p_value_of(const std::vector<double>& expected, const std::vector<double>& counted) {
+  return studies::goodness_of_fit(expected, counted).p_value;
+}
+
+TEST(GoodnessOfFit, HasThePValuesOfTables) {
+  EXPECT_NEAR(p_value_of({50, 50}, {44, 56}), 0.230139, 1e-6) << "1.44, 1 degree";
   // Three classes: exp(-x / 2) with 2 degrees of freedom.
-  EXPECT_NEAR(studies::chi_square_p_value({0.25, 0.25, 0.5}, {30, 30, 40}).value(), std::exp(-2.0), 1e-9);
-  EXPECT_NEAR(studies::chi_square_p_value({0.25, 0.25, 0.46, 0.03, 0.01}, {30, 30, 37, 2, 1}).value(),
-              studies::chi_square_p_value({0.25, 0.25, 0.50}, {30, 30, 40}).value(), 1e-9)
+  EXPECT_NEAR(p_value_of({25, 25, 50}, {30, 30, 40}), std::exp(-2.0), 1e-9);
+  EXPECT_NEAR(p_value_of({25, 25, 46, 3, 1}, {30, 30, 36, 3, 1}),
+              p_value_of({25, 25, 46, 4}, {30, 30, 36, 4}), 1e-9)
       << "small classes are pooled";
-  EXPECT_FALSE(studies::chi_square_p_value({0.5, 0.5}, {3, 3})) << "too few";
+  EXPECT_EQ(studies::goodness_of_fit(std::vector<double>{3, 3}, std::vector<double>{3, 3}).degrees, 0)
+      << "too few";
 }
 
 }  // namespace

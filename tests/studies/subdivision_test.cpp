@@ -8,7 +8,7 @@
 #include "grf/read.h"
 #include "renderer/studies/brdf_instance.h"
 #include "renderer/studies/drawn_samples.h"
-#include "renderer/studies/subdivision_subject.h"
+#include "renderer/studies/subdivision/subject.h"
 #include "tests/statistics/chi_square.h"
 
 namespace subdivision_test {

@@ -12,7 +12,7 @@
 #include "renderer/studies/brdf_instance.h"
 #include "renderer/studies/disc_plot.h"
 #include "renderer/studies/fit_samples.h"
-#include "renderer/studies/rejection/chi_square.h"
+#include "renderer/studies/goodness_of_fit.h"
 #include "renderer/studies/rejection/disc.h"
 #include "renderer/studies/rejection/figure.h"
 #include "renderer/studies/rejection/random.h"
@@ -238,14 +238,15 @@ std::vector<double> counts_of(const std::vector<Point>& points) {
 std::optional<double> p_value_of(const DiscCells& cells, const std::vector<Point>& points) {
   constexpr std::size_t Rows = DiscCells::Rows;
   const std::vector<double> all = counts_of(points);
-  std::vector<double> probabilities(cells.masses.size() / 2);
-  std::vector<double> counts(probabilities.size());
+  std::vector<double> expected(cells.masses.size() / 2);
+  std::vector<double> counts(expected.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::size_t joined = i / (2 * Rows) * Rows + i % Rows;
-    probabilities[joined] += cells.masses[i] / cells.total;
+    expected[joined] += cells.masses[i] / cells.total * static_cast<double>(points.size());
     counts[joined] += all[i];
   }
-  return chi_square_p_value(probabilities, counts);
+  const GoodnessOfFit fit = goodness_of_fit(expected, counts);
+  return fit.degrees > 0 ? std::optional(fit.p_value) : std::nullopt;
 }
 
 Histogram histogram_of(const DiscResult& result) {

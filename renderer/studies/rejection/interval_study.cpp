@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "renderer/studies/rejection/chi_square.h"
+#include "renderer/studies/goodness_of_fit.h"
 #include "renderer/studies/rejection/figure.h"
 #include "renderer/studies/rejection/interval.h"
 #include "renderer/studies/rejection/settings.h"
@@ -175,7 +175,8 @@ std::optional<double> p_value_of(const Density& density, const std::vector<doubl
     const double below = density.mass(density.low, x) / mass;
     counts[std::min(static_cast<std::size_t>(below * static_cast<double>(classes)), classes - 1)] += 1;
   }
-  return chi_square_p_value(std::vector<double>(classes, 1 / static_cast<double>(classes)), counts);
+  const double expected = static_cast<double>(samples.size()) / static_cast<double>(classes);
+  return goodness_of_fit(std::vector<double>(classes, expected), counts).p_value;
 }
 
 RejectionReport report_of(const ToolState& state, const RejectionToolSettings& settings,

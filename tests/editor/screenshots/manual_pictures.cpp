@@ -188,6 +188,7 @@ std::vector<Picture> manual_pictures() {
       {"tool_minibpt", [] { return study_window(Samples + "studies/tools/equal_time.study"); }},
       {"tool_emviewer", [] { return study_window(Samples + "studies/tools/emviewer.study"); }},
       {"tool_rejection", [] { return study_window(Samples + "studies/tools/rejection_brdf.study"); }},
+      {"tool_subdivision", [] { return study_window(Samples + "studies/tools/figure_6_10.study"); }},
       {"tool_fitplot", [] { return study_window(Samples + "studies/tools/figure_6_11.study"); }},
       {"shortcuts", shortcut_list},
       {"modes", display_modes},

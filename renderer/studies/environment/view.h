@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "renderer/plot/chart.h"
-#include "renderer/studies/environment_file.h"
+#include "renderer/studies/environment/file.h"
 
 namespace studies {
 

@@ -1,4 +1,4 @@
-#include "renderer/studies/environment_figure.h"
+#include "renderer/studies/environment/figure.h"
 
 #include <algorithm>
 #include <array>

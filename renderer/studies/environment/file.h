@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/studies/study_cache.h"
 #include "renderer/studies/tool_state.h"
 #include "renderer/transport/lights/environment_map.h"
 
@@ -56,6 +57,7 @@ transport::Image built_in_sky();
 
 /// Reads an environment map, or makes the built-in sky if there is no file. An unreadable or black map is an
 /// error. A map that a study still shows is not read again unless its file has changed.
-std::shared_ptr<const FilteredMap> open_environment(const ToolState& state, grf::Diagnostics& diagnostics);
+std::shared_ptr<const FilteredMap> open_environment(const ToolState& state, StudyCache* cache,
+                                                    grf::Diagnostics& diagnostics);
 
 }  // namespace studies

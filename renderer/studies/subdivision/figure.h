@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "renderer/studies/subdivision_subject.h"
+#include "renderer/studies/subdivision/subject.h"
 
 namespace studies {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/studies/subdivision_subject.h"
+#include "renderer/studies/subdivision/subject.h"
 
 namespace studies {
 

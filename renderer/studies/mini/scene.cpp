@@ -1,4 +1,4 @@
-#include "renderer/studies/mini_scene.h"
+#include "renderer/studies/mini/scene.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderer/studies/subdivision_figure.h"
+#include "renderer/studies/subdivision/figure.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "renderer/plot/lobe_mesh.h"
 #include "renderer/studies/disc_plot.h"
 #include "renderer/studies/lobe_figure.h"
-#include "renderer/studies/strata_panel.h"
+#include "renderer/studies/subdivision/strata_panel.h"
 
 namespace studies {
 namespace {

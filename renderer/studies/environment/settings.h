@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/reflectance/model.h"
-#include "renderer/studies/environment_sampling.h"
+#include "renderer/studies/environment/sampling.h"
 
 namespace studies {
 

@@ -1,4 +1,4 @@
-#include "renderer/studies/subdivision.h"
+#include "renderer/studies/subdivision/subdivision.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/plot/chart.h"
-#include "renderer/studies/subdivision_subject.h"
+#include "renderer/studies/subdivision/subject.h"
 
 namespace studies {
 

@@ -1,4 +1,4 @@
-#include "renderer/studies/mini_render.h"
+#include "renderer/studies/mini/render.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 #include "grf/write.h"
 #include "renderer/job/preview_scene.h"
 #include "renderer/studies/angles.h"
-#include "renderer/studies/mini_scene.h"
+#include "renderer/studies/mini/scene.h"
 #include "renderer/transport/image/image_encoders.h"
 
 namespace studies {

@@ -1,4 +1,4 @@
-#include "renderer/studies/environment_view.h"
+#include "renderer/studies/environment/view.h"
 
 #include <algorithm>
 #include <array>

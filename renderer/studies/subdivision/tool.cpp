@@ -1,4 +1,4 @@
-#include "renderer/studies/subdivision_tool.h"
+#include "renderer/studies/subdivision/tool.h"
 
 #include <cmath>
 #include <memory>
@@ -9,9 +9,9 @@
 #include "grf/text_file.h"
 #include "grf/write.h"
 #include "renderer/plot/fit_file.h"
-#include "renderer/studies/scheme_comparison.h"
-#include "renderer/studies/subdivision_figure.h"
-#include "renderer/studies/subdivision_subject.h"
+#include "renderer/studies/subdivision/figure.h"
+#include "renderer/studies/subdivision/scheme_comparison.h"
+#include "renderer/studies/subdivision/subject.h"
 
 namespace studies {
 namespace {

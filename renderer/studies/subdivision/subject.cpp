@@ -1,4 +1,4 @@
-#include "renderer/studies/subdivision_subject.h"
+#include "renderer/studies/subdivision/subject.h"
 
 #include <cmath>
 #include <numbers>
@@ -127,10 +127,11 @@ std::optional<SubdivisionSubject> subdivision_subject(const ToolState& state, co
     CellSamples samples = samples_of(*fit, *viewed, tree);
     SubdivisionSubject subject{settings, std::move(*viewed), std::move(tree), state.pdfs.front(),
                                file.path.substr(file.path.find_last_of('/') + 1)};
+    subject.cache = context.cache;
     subject.samples = std::move(samples);
     const reflectance::Brdf& brdf = subject.viewed.brdf;
     if (unsupported_reason(reflectance::make_scheme(subject.pdf).value(), brdf).empty())
-      subject.reflector = cached_reflector(subject.viewed.identity, brdf, subject.pdf);
+      subject.reflector = cached_reflector(context.cache.get(), subject.viewed.identity, brdf, subject.pdf);
     return subject;
   }
   auto viewed = viewed_brdf(state.brdfs.front(), state.definitions,
@@ -140,8 +141,10 @@ std::optional<SubdivisionSubject> subdivision_subject(const ToolState& state, co
   if (!make_scheme(pdf, viewed->brdf, viewed->model.keyword, diagnostics)) return std::nullopt;
   Subdivision tree = tree_of(*viewed, settings);
   SubdivisionSubject subject{settings, std::move(*viewed), std::move(tree), pdf};
+  subject.cache = context.cache;
   const Vec3f& u = subject.viewed.u;
-  subject.reflector = cached_reflector(subject.viewed.identity, subject.viewed.brdf, pdf);
+  subject.reflector =
+      cached_reflector(context.cache.get(), subject.viewed.identity, subject.viewed.brdf, pdf);
   const DrawnSamples drawn = settings.drawn(*subject.reflector, u);
   const auto integrals = subject.tree.integrals(
       [&](const Vec3f& v) { return double(subject.reflector->pdf(u, v)); }, context.is_stopped);

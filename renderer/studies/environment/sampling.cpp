@@ -1,4 +1,4 @@
-#include "renderer/studies/environment_sampling.h"
+#include "renderer/studies/environment/sampling.h"
 
 #include <algorithm>
 #include <array>

@@ -9,8 +9,8 @@
 #include "renderer/studies/drawn_samples.h"
 #include "renderer/studies/goodness_of_fit.h"
 #include "renderer/studies/study.h"
-#include "renderer/studies/subdivision.h"
-#include "renderer/studies/subdivision_settings.h"
+#include "renderer/studies/subdivision/settings.h"
+#include "renderer/studies/subdivision/subdivision.h"
 
 namespace studies {
 
@@ -50,6 +50,7 @@ struct SubdivisionSubject {
   std::shared_ptr<const reflectance::Reflector> reflector =
       {};  ///< null if the pdf cannot sample a file's BRDF
   CellSamples samples = {};
+  std::shared_ptr<StudyCache> cache = {};  ///< may be null
 
   bool is_file() const { return !file.empty(); }
 };

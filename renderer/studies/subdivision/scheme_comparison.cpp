@@ -1,4 +1,4 @@
-#include "renderer/studies/scheme_comparison.h"
+#include "renderer/studies/subdivision/scheme_comparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "renderer/reflectance/albedo.h"
 #include "renderer/studies/disc_plot.h"
 #include "renderer/studies/reflector_cache.h"
-#include "renderer/studies/subdivision_figure.h"
+#include "renderer/studies/subdivision/figure.h"
 
 namespace studies {
 namespace {
@@ -64,7 +64,7 @@ ComparedScheme compared(const grf::PdfModel& pdf, const SubdivisionSubject& subj
   scheme.name = grf::to_text(pdf);
   scheme.unsupported_reason = unsupported_reason(reflectance::make_scheme(pdf).value(), viewed.brdf);
   if (!scheme.unsupported_reason.empty()) return scheme;
-  scheme.reflector = cached_reflector(viewed.identity, viewed.brdf, pdf);
+  scheme.reflector = cached_reflector(subject.cache.get(), viewed.identity, viewed.brdf, pdf);
   const DrawnSamples drawn = subject.settings.drawn(*scheme.reflector, viewed.u);
   scheme.weights = statistics_of(drawn, albedo);
   scheme.integrals = subject.tree.integrals(

@@ -1,4 +1,4 @@
-#include "renderer/studies/environment_settings.h"
+#include "renderer/studies/environment/settings.h"
 
 #include <cmath>
 

@@ -7,7 +7,7 @@
 
 #include "renderer/reflectance/reflector.h"
 #include "renderer/reflectance/resampling.h"
-#include "renderer/studies/environment_file.h"
+#include "renderer/studies/environment/file.h"
 
 namespace studies {
 

@@ -1,4 +1,4 @@
-#include "renderer/studies/environment_file.h"
+#include "renderer/studies/environment/file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "renderer/studies/angles.h"
-#include "renderer/studies/last_used.h"
 
 namespace studies {
 namespace {
@@ -37,20 +36,12 @@ std::vector<Rgb> filtered_row(const Image& image, int row, int count) {
   return means;
 }
 
-/// Identifies the contents of a file.
-struct FileVersion {
-  std::string path;
-  std::uintmax_t bytes = 0;
-  std::filesystem::file_time_type written_at;
-
-  bool operator==(const FileVersion&) const = default;
-};
-
-FileVersion version_of(const std::string& path) {
+/// Returns a text that differs once a file has changed.
+std::string version_of(const std::string& path) {
   std::error_code error;
-  FileVersion version{path, std::filesystem::file_size(path, error), {}};
-  version.written_at = std::filesystem::last_write_time(path, error);
-  return version;
+  const auto bytes = std::filesystem::file_size(path, error);
+  const auto time = std::filesystem::last_write_time(path, error);
+  return fmt::format("{} {} {}", path, bytes, time.time_since_epoch().count());
 }
 
 std::shared_ptr<const FilteredMap> read_filtered(const ToolState::File& file, grf::Diagnostics& diagnostics) {
@@ -65,14 +56,15 @@ std::shared_ptr<const FilteredMap> read_filtered(const ToolState::File& file, gr
   return std::make_shared<FilteredMap>(std::move(*map), file.path.substr(file.path.find_last_of('/') + 1));
 }
 
-/// Reads a map, or returns the last one if it is still in use and of the same file.
-std::shared_ptr<const FilteredMap> shared_map(const ToolState::File& file, grf::Diagnostics& diagnostics) {
-  static LastUsed<FileVersion, FilteredMap> last;
-  const FileVersion version = version_of(file.path);
-  if (auto map = last.find(version)) return map;
+/// Reads a map, unless the cache has it of the same version of the file.
+std::shared_ptr<const FilteredMap> cached_map(const ToolState::File& file, StudyCache* cache,
+                                              grf::Diagnostics& diagnostics) {
+  const std::string key = "map " + version_of(file.path);
+  if (auto known = cache != nullptr ? cache->find<FilteredMap>(key) : nullptr) return known;
   auto map = read_filtered(file, diagnostics);
   // Reading a map with invalid texels again repeats the warning of them.
-  if (map && map->map.invalid_texels() == 0) last.remember(version, map);
+  if (cache != nullptr && map && map->map.invalid_texels() == 0)
+    cache->keep(key, map, map->map.image().pixels.size() * sizeof(Rgb));
   return map;
 }
 
@@ -150,14 +142,15 @@ Image built_in_sky() {
   return image;
 }
 
-std::shared_ptr<const FilteredMap> open_environment(const ToolState& state, grf::Diagnostics& diagnostics) {
+std::shared_ptr<const FilteredMap> open_environment(const ToolState& state, StudyCache* cache,
+                                                    grf::Diagnostics& diagnostics) {
   if (state.files.size() > 1) {
     diagnostics.error(state.files[1].location,
                       fmt::format("'{}' shows one environment map, and the state has {} files",
                                   state.settings.keyword, state.files.size()));
     return nullptr;
   }
-  if (!state.files.empty()) return shared_map(state.files.front(), diagnostics);
+  if (!state.files.empty()) return cached_map(state.files.front(), cache, diagnostics);
   static const auto sky =
       std::make_shared<const FilteredMap>(EnvironmentMap(built_in_sky()), "the built-in sky");
   return sky;

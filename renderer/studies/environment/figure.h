@@ -1,9 +1,9 @@
 // The figure of the tool `emviewer`, and what it shows.
 #pragma once
 
-#include "renderer/studies/environment_sampling.h"
-#include "renderer/studies/environment_settings.h"
-#include "renderer/studies/environment_view.h"
+#include "renderer/studies/environment/sampling.h"
+#include "renderer/studies/environment/settings.h"
+#include "renderer/studies/environment/view.h"
 #include "renderer/studies/study.h"
 
 namespace studies {

@@ -1,4 +1,4 @@
-#include "renderer/studies/strata_panel.h"
+#include "renderer/studies/subdivision/strata_panel.h"
 
 #include <algorithm>
 #include <array>
@@ -141,7 +141,8 @@ void draw_strata(const SubdivisionSubject& subject, const Rectangle& place, plot
 
   grf::PdfModel warp;
   warp.keyword = "adaptive";
-  const auto warp_reflector = cached_reflector(subject.viewed.identity, subject.viewed.brdf, warp);
+  const auto warp_reflector =
+      cached_reflector(subject.cache.get(), subject.viewed.identity, subject.viewed.brdf, warp);
   const PointsOfStrata warped = sampled(warp_reflector->scheme(), subject.viewed);
   const Window window = window_of(warped);
   caption(1, "adaptive mode=warp");

@@ -1,4 +1,4 @@
-#include "renderer/studies/environment_viewer.h"
+#include "renderer/studies/environment/viewer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 #include "renderer/reflectance/brdf.h"
 #include "renderer/studies/angles.h"
 #include "renderer/studies/brdf_instance.h"
-#include "renderer/studies/environment_figure.h"
+#include "renderer/studies/environment/figure.h"
 #include "renderer/studies/fit_samples.h"
-#include "renderer/studies/last_used.h"
+#include "renderer/studies/reflector_cache.h"
 
 namespace studies {
 namespace {
@@ -27,29 +27,16 @@ Vec3f direction_under_y(double theta, double azimuth) {
   return {z_up.x, z_up.z, -z_up.y};
 }
 
-/// Builds the tables of a scheme, or returns the last ones if they are still in use and for the same models.
-std::shared_ptr<const reflectance::Reflector> shared_reflector(const ToolState& state,
-                                                               const reflectance::Brdf& brdf,
-                                                               const reflectance::Scheme& scheme) {
-  using Models = std::pair<grf::BrdfModel, grf::PdfModel>;
-  static LastUsed<Models, reflectance::Reflector> last;
-  const Models models = {state.brdfs.front(), state.pdfs.front()};
-  if (auto reflector = last.find(models)) return reflector;
-  const auto reflector = std::make_shared<const reflectance::Reflector>(brdf, scheme);
-  // A data file may change.
-  if (models.first.data_file.empty()) last.remember(models, reflector);
-  return reflector;
-}
-
 std::optional<LitSurface> lit_surface(const ToolState& state, const EnvironmentSettings& settings,
-                                      grf::Diagnostics& diagnostics) {
-  const auto brdf = make_brdf(state.brdfs.front(), diagnostics);
+                                      const StudyContext& context, grf::Diagnostics& diagnostics) {
+  const auto brdf = make_brdf(state.brdfs.front(), diagnostics, state.definitions);
   const auto scheme =
       brdf ? make_scheme(state.pdfs.front(), *brdf, state.brdfs.front().keyword, diagnostics) : std::nullopt;
   if (!scheme) return std::nullopt;
-  auto environment = open_environment(state, diagnostics);
+  auto environment = open_environment(state, context.cache.get(), diagnostics);
   if (!environment) return std::nullopt;
-  auto reflector = shared_reflector(state, *brdf, *scheme);
+  auto reflector = cached_reflector(context.cache.get(), identity_of(state.brdfs.front(), state.definitions),
+                                    *brdf, state.pdfs.front());
   if (!reflector->has_nonspecular_part()) {
     diagnostics.error(state.brdfs.front().location,
                       fmt::format("'{}' reflects into the mirror direction only: all candidates would be the "
@@ -130,7 +117,7 @@ std::optional<Study> make_study(const ToolState& state, const StudyContext& cont
                                   counts.chosen, counts.candidates));
     return std::nullopt;
   }
-  auto surface = lit_surface(state, settings, diagnostics);
+  auto surface = lit_surface(state, settings, context, diagnostics);
   if (!surface) return std::nullopt;
   const auto result = std::make_shared<EnvironmentResult>(settings, state.brdfs.front(), std::move(*surface),
                                                           context.is_stopped);
