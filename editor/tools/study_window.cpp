@@ -296,7 +296,7 @@ void StudyWindow::request() {
 
 void StudyWindow::show_outcome(Outcome outcome) {
   show_busy(false);
-  const bool has_no_files = !tool_.files.empty() && state_.files.empty();
+  const bool has_no_files = tool_.needs_file && state_.files.empty();
   if (outcome.messages.isEmpty() || has_no_files) {
     notice_->hide();
   } else {
