@@ -95,7 +95,7 @@ void StudyWindow::request() {
 
 void StudyWindow::show_outcome(Outcome outcome) {
   show_busy(false);
-  const bool has_no_files = !tool().files.empty() && state().files.empty();
+  const bool has_no_files = tool().needs_file && state().files.empty();
   if (outcome.messages.isEmpty() || has_no_files) {
     notice().hide();
   } else {

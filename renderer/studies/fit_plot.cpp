@@ -319,6 +319,7 @@ StudyTool fit_plot_tool() {
   tool.initial.settings.keyword = tool.settings.keyword;
   tool.files = "fit";
   tool.takes_many_files = true;
+  tool.needs_file = true;
   tool.azimuth = "azimuth";
   tool.elevation = "elevation";
   tool.make = make_study;

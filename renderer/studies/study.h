@@ -54,6 +54,7 @@ struct StudyTool {
   std::size_t pdfs = 0;                            ///< how many sampling schemes
   std::string files = {};  ///< extensions of the files that it opens, `fit hdr exr`; empty: none
   bool takes_many_files = false;
+  bool needs_file = false;  ///< without one there is nothing to show
   std::string_view azimuth = {};  ///< settings that dragging the figure changes, in degrees; empty: none
   std::string_view elevation = {};
   /// Turns the view of a state by so many degrees, where that is not a change of two settings; may be null.

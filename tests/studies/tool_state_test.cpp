@@ -112,7 +112,7 @@ TEST(Study, OfEachToolHasAnInitialState) {
     context.refined = [&](const studies::Study&) { is_refined = true; };
     context.is_stopped = [&] { return is_refined; };
     const auto study = studies::study_of(tool.initial, context, diagnostics);
-    EXPECT_TRUE(study || is_refined || !tool.files.empty()) << diagnostics.to_text();
+    EXPECT_TRUE(study || is_refined || tool.needs_file) << diagnostics.to_text();
     for (const std::string_view name : {tool.azimuth, tool.elevation, tool.animated})
       EXPECT_TRUE(name.empty() || tool.settings.find(name) != nullptr) << name;
   }

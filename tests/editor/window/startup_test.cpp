@@ -1,5 +1,4 @@
 // Measures the time from the program's start to a responsive window.
-#include <QDir>
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QSettings>
@@ -54,17 +53,13 @@ void expect_startup_within(int limit, const QStringList& files) {
 TEST(Startup, IsUnderASecondWithNothing) { expect_startup_within(1000, {}); }
 
 TEST(Startup, IsUnderASecondWithEachTool) {
-  const QFileInfoList states =
-      QDir(GRANADA_SOURCE_DIR "/samples/studies/tools").entryInfoList({"*.study"}, QDir::Files);
-  ASSERT_FALSE(states.isEmpty());
-  for (const QFileInfo& state : states) {
-    SCOPED_TRACE(state.fileName().toStdString());
-    const std::string text = test::bytes_of(state.filePath().toStdString());
-    const std::size_t name = text.find("tool ") + 5;
-    const QString tool = QString::fromStdString(text.substr(name, text.find_first_of(" \n", name) - name));
-    expect_startup_within(1000, {"--tool", tool, "--state", state.filePath()});
+  for (const char* tool : {"grfviewer", "op", "image", "minibpt", "emviewer", "rejection", "subdivision"}) {
+    SCOPED_TRACE(tool);
+    expect_startup_within(1000, {"--tool", tool});
   }
-  for (const char* tool : {"grfviewer", "op", "image"}) expect_startup_within(1000, {"--tool", tool});
+  // It shows nothing without a file.
+  expect_startup_within(
+      1000, {"--state", GRANADA_SOURCE_DIR "/samples/studies/tools/figure_6_11.study", "--tool", "fitplot"});
 }
 
 TEST(Startup, IsUnderTwoSecondsWithALargeMesh) {
