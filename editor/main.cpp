@@ -9,7 +9,8 @@
 #include <memory>
 
 #include "editor/appearance/theme.h"
-#include "editor/tools/study_window.h"
+#include "editor/tools/scene_reading.h"
+#include "editor/tools/tool_window.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/main_window.h"
@@ -37,7 +38,7 @@ int fail(const QString& message) {
 bool is_shown(QWidget& window) {
   if (auto* main_window = qobject_cast<editor::MainWindow*>(&window))
     return !main_window->files().is_importing() && main_window->view().is_full();
-  if (const auto* study = qobject_cast<editor::StudyWindow*>(&window)) return study->has_picture();
+  if (const auto* study = qobject_cast<editor::ToolWindow*>(&window)) return study->has_picture();
   return window.isVisible();
 }
 
@@ -73,7 +74,7 @@ int make_figure(const QString& state_file, const QString& tool_name, const QStri
                       .arg(state_file, QString::fromStdString(state->settings.keyword)));
   }
   for (const QString& file : files) state->files.push_back({file.toStdString(), {}});
-  const auto study = study_of(*state, {}, diagnostics);
+  const auto study = study_of(*state, {plot::Paper::White, {}, {}, {}, editor::read_any_scene}, diagnostics);
   if (!study || !write_picture(study->figure, output.toStdString(), diagnostics)) return report();
   std::cout << study->summary << '\n';
   return report();

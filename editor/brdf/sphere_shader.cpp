@@ -1,6 +1,5 @@
 // Renders the sphere with GLSL: a triangle covers the image, and its fragments intersect the sphere.
 #include <QElapsedTimer>
-#include <QFile>
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLFramebufferObject>
@@ -12,9 +11,6 @@
 #include "editor/brdf/sphere_shading.h"
 #include "renderer/reflectance/shader.h"
 
-/// The macro has to be in no namespace.
-static void need_resources() { Q_INIT_RESOURCE(shaders); }
-
 namespace editor {
 namespace {
 
@@ -25,15 +21,6 @@ constexpr int FewestRows = 4;
 
 const char* const VertexText = R"(#version 330 core
 void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2) - 1, 0, 1); }
-)";
-
-const char* const MirrorText = R"(
-uniform vec3 specular_weights[64];
-vec3 brdf_specular(vec3 u) {
-  float place = acos(clamp(u.z, 0.0, 1.0)) / (PI / 2) * 63;
-  int below = min(int(place), 62);
-  return mix(specular_weights[below], specular_weights[below + 1], place - below);
-}
 )";
 
 const char* const MainText = R"(
@@ -48,18 +35,14 @@ void main() {
   float z2 = 1 - place.x * place.x - place.y * place.y;
   result = vec4(0, 0, 0, 1);
   if (z2 <= 0) return;
-  vec3 n = vec3(place, sqrt(z2));
-  result.rgb = direct_radiance(n, light, light_strength) + sky_sum(n, 0, samples) / float(samples);
+  normal = vec3(place, sqrt(z2));
+  tangent = tangent_at(normal);
+  bitangent = bitangent_at(normal);
+  vec3 u = to_local(vec3(0, 0, 1));
+  result.rgb = light_radiance(u, light, vec3(light_strength)) + specular_radiance(u) +
+               environment_sum(u, 0, samples) / float(samples);
 }
 )";
-
-QByteArray sphere_text() {
-  need_resources();
-  QFile file(":/shaders/sphere.glsl");
-  const bool is_there = file.open(QIODevice::ReadOnly);
-  Q_ASSERT(is_there);
-  return is_there ? file.readAll() : QByteArray();
-}
 
 }  // namespace
 
@@ -79,9 +62,9 @@ struct SphereShader::Parts {
     if (programs.size() > MostPrograms) programs.clear();
     const auto [entry, is_new] = programs.try_emplace(brdf_text);
     if (is_new) {
-      entry->second = driver.compile({VertexText, QByteArray("#version 330 core\n") +
-                                                      QByteArray::fromStdString(brdf_text) + MirrorText +
-                                                      sphere_text() + MainText});
+      const std::string text = reflectance::lit_surface_shader(brdf_text);
+      entry->second = driver.compile(
+          {VertexText, QByteArray("#version 330 core\n") + QByteArray::fromStdString(text) + MainText});
     }
     return entry->second;
   }
@@ -98,7 +81,7 @@ struct SphereShader::Parts {
     program.setUniformValue("light", scene.light.x, scene.light.y, scene.light.z);
     program.setUniformValue("light_strength", scene.light_strength);
     program.setUniformValue("samples", samples);
-    const SpecularTable specular = specular_table(*scene.brdf);
+    const reflectance::SpecularTable specular = reflectance::specular_table(*scene.brdf);
     program.setUniformValueArray("specular_weights", &specular[0].x, static_cast<int>(specular.size()), 3);
     program.setUniformValueArray("brdf_parameters", &shader.parameters[0].x,
                                  static_cast<int>(shader.parameters.size()), 3);

@@ -2,27 +2,23 @@
 #pragma once
 
 #include <QImage>
-#include <array>
 #include <memory>
 #include <vector>
 
 #include "editor/brdf/lobe_curves.h"
 #include "editor/graphics/graphics_driver.h"
 #include "editor/jobs/background_job.h"
+#include "renderer/reflectance/lit_surface.h"
 
 class QOpenGLContext;
 
 namespace editor {
 
-/// Specular weights by view angle from 0 to 90 degrees, on which alone they depend.
-using SpecularTable = std::array<reflectance::Rgb, 64>;
-SpecularTable specular_table(const reflectance::Brdf& brdf);
-
 struct SphereScene {
   SharedBrdf brdf;
   int side = 0;  ///< side of the image, pixels
   reflectance::Vec3f light = {0.32F, 0.5F,
-                              0.8F};       ///< unit vector towards the light, in the frame of sphere.glsl
+                              0.8F};  ///< unit vector towards the light, x to the right, y up, z to the eye
   float light_strength = reflectance::Pi;  ///< irradiance: pi shows a white diffuse surface as 1
 };
 

@@ -53,7 +53,7 @@ void set_shader_units(QOpenGLShaderProgram& program) {
 
 FrameRenderer::FrameRenderer(Gl& gl, const GraphicsDriver& driver)
     : gl_(gl), driver_(driver), no_vertices_(gl, GlKind::VertexArray) {
-  geometry_ = program_of(driver, "geometry.vert", {"geometry.frag"});
+  geometry_ = program_of(driver, "geometry.vert", {"shading_normal.glsl", "geometry.frag"});
   shade_ = program_of(driver, "screen.vert", {"g_buffer.glsl", "shade.frag"});
   texture_ = program_of(driver, "screen.vert", {"g_buffer.glsl", "texture.frag"});
   resolve_ = program_of(driver, "screen.vert", {"g_buffer.glsl", "sky.glsl", "resolve.frag"});

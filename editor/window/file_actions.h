@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
+#include "editor/document/scene_loader.h"
 #include "editor/window/outside_changes.h"
-#include "editor/window/scene_loader.h"
 #include "grf/diagnostics.h"
 
 class QAction;

@@ -15,7 +15,7 @@
 #include "editor/controls/notice_bar.h"
 #include "editor/panels/light_panel.h"
 #include "editor/rendering/render_panel.h"
-#include "editor/tools/study_window.h"
+#include "editor/tools/tool_window.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/bake_controller.h"
 #include "editor/window/brdf_controller.h"
@@ -146,12 +146,12 @@ void MainWindow::open_tool(const Tool& tool) {
   QWidget* window = tool.open({});
   window->setAttribute(Qt::WA_DeleteOnClose);
   window->show();
-  auto* study = qobject_cast<StudyWindow*>(window);
+  auto* study = qobject_cast<ToolWindow*>(window);
   if (study == nullptr) return;
   study->set_apply_target(true);
   if (const auto brdf = brdf_controller_->common_brdf())
     study->set_brdf(*brdf, brdf_controller_->common_brdf_definitions());
-  connect(study, &StudyWindow::applied, brdf_controller_, &BrdfController::assign);
+  connect(study, &ToolWindow::applied, brdf_controller_, &BrdfController::assign);
 }
 
 void MainWindow::make_help_menu() {

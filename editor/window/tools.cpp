@@ -5,7 +5,7 @@
 #include "editor/controls/text.h"
 #include "editor/image/image_window.h"
 #include "editor/options/options_window.h"
-#include "editor/tools/study_window.h"
+#include "editor/tools/tool_windows.h"
 #include "editor/window/viewer_window.h"
 #include "renderer/studies/study.h"
 
@@ -33,6 +33,12 @@ QWidget* open_images(const QStringList& files) {
   return window;
 }
 
+QWidget* open_study(const studies::StudyTool& study, const QStringList& files) {
+  auto window = new_tool_window(study);
+  window->open(files);
+  return window.release();
+}
+
 }  // namespace
 
 std::vector<Tool> tools() {
@@ -46,11 +52,7 @@ std::vector<Tool> tools() {
   for (const studies::StudyTool& study : studies::study_tools()) {
     const QString title = text_of(study.settings.title);
     all.push_back({text_of(study.name()), title, text_of(study.settings.description),
-                   [study](const QStringList& files) {
-                     auto* window = new StudyWindow(study);
-                     window->open(files);
-                     return window;
-                   }});
+                   [study](const QStringList& files) { return open_study(study, files); }});
   }
   return all;
 }

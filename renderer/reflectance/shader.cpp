@@ -20,14 +20,6 @@ constexpr std::size_t MostParameters = 224;
 constexpr std::array SharedFiles = {"glsl_functions", "float_functions", "common",   "fresnel",
                                     "beckmann",       "refraction",      "kirchhoff"};
 
-std::string_view text_of(std::string_view name) {
-  const auto& texts = glsl_texts();
-  const auto found =
-      std::find_if(texts.begin(), texts.end(), [name](const GlslText& one) { return one.name == name; });
-  assert(found != texts.end());
-  return found->text;
-}
-
 std::string parameter_text(std::size_t k) { return fmt::format("brdf_parameters[{}]", k); }
 
 /// Builds the text of a model or of the terms of a sum.
@@ -83,10 +75,18 @@ void assign_value(bool& field, const Rgb& value) { field = value.x != 0; }
 
 }  // namespace
 
+std::string_view shader_file(std::string_view name) {
+  const auto& texts = glsl_texts();
+  const auto found =
+      std::find_if(texts.begin(), texts.end(), [name](const GlslText& one) { return one.name == name; });
+  assert(found != texts.end());
+  return found->text;
+}
+
 std::string shader_functions(const std::vector<std::string_view>& keywords) {
   std::string text;
-  for (const std::string_view shared : SharedFiles) text += text_of(shared);
-  for (const std::string_view keyword : keywords) text += text_of(keyword);
+  for (const std::string_view shared : SharedFiles) text += shader_file(shared);
+  for (const std::string_view keyword : keywords) text += shader_file(keyword);
   return text;
 }
 

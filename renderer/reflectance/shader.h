@@ -28,6 +28,9 @@ struct Shader {
 /// terms than a shader supports.
 std::optional<Shader> shader_of(const Brdf& brdf);
 
+/// Returns a file of GLSL by its name, such as `common`.
+std::string_view shader_file(std::string_view name);
+
 /// Returns the formulas of these models with the functions that they share.
 std::string shader_functions(const std::vector<std::string_view>& keywords);
 

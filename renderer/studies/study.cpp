@@ -7,6 +7,7 @@
 #include "grf/keywords.h"
 #include "grf/text_file.h"
 #include "renderer/reflectance/scheme.h"
+#include "renderer/studies/brdf_viewer/tool.h"
 #include "renderer/studies/environment/viewer.h"
 #include "renderer/studies/fit_plot.h"
 #include "renderer/studies/mini/render.h"
@@ -46,8 +47,8 @@ bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diag
 }
 
 std::vector<StudyTool> study_tools() {
-  return {mini_render_tool(), environment_viewer_tool(), rejection_tool(), subdivision_tool(),
-          fit_plot_tool()};
+  return {mini_render_tool(), environment_viewer_tool(), rejection_tool(),
+          brdf_viewer_tool(), subdivision_tool(),        fit_plot_tool()};
 }
 
 std::optional<ToolState> initial_state(std::string_view name) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "grf/scene.h"
 #include "renderer/plot/svg.h"
 #include "renderer/studies/study_cache.h"
 #include "renderer/studies/tool_state.h"
@@ -39,6 +40,9 @@ struct StudyContext {
   /// Called with a study that is not done yet, a few times a second at most; null if only the result matters.
   std::function<void(const Study& study)> refined = {};
   std::shared_ptr<StudyCache> cache = {};  ///< of earlier studies; null: all is made anew
+  /// Reads a scene or a model of any format; null: only GRF is read.
+  std::function<std::optional<grf::Scene>(const std::string& path, grf::Diagnostics& diagnostics)>
+      read_scene = {};
 };
 
 /// A row of the table of study tools. A window's form and the validation of states follow from it.

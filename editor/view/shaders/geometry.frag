@@ -7,8 +7,6 @@ uniform bool is_mirrored;
 uniform bool is_orthographic;
 uniform bool has_irradiance;
 uniform vec3 y_axis;  // the mesh's own y axis in camera space
-in vec3 camera_place;
-in vec4 camera_normal;
 in vec4 vertex_value;
 in vec2 vertex_uv;
 layout(location = 0) out uvec2 face_out;
@@ -21,14 +19,6 @@ vec2 octahedral(vec3 n) {
   vec2 signs = vec2(n.x >= 0 ? 1 : -1, n.y >= 0 ? 1 : -1);
   vec2 folded = n.z >= 0 ? n.xy : (1 - abs(n.yx)) * signs;
   return folded * 0.5 + 0.5;
-}
-
-// The geometric normal, towards the eye.
-vec3 flat_normal(vec3 eye) {
-  vec3 n = cross(dFdx(camera_place), dFdy(camera_place));
-  float size = length(n);
-  if (!(size > 0)) return eye;
-  return dot(n, eye) < 0 ? -n / size : n / size;
 }
 
 // The angle from the frame's own x axis to the direction of increasing u, or without uv to the horizontal in
@@ -52,12 +42,7 @@ void main() {
   bool from_behind = gl_FrontFacing == is_mirrored;
   face_out = uvec2(uint(instance + 1) | (from_behind ? 0x80000000u : 0u), uint(first_face) + face);
   vec3 eye = is_orthographic ? vec3(0, 0, 1) : normalize(-camera_place);
-  vec3 n = flat_normal(eye);
-  // A face with a corner that has no normal is flat.
-  if (camera_normal.w > 0.999 && dot(camera_normal.xyz, camera_normal.xyz) > 0) {
-    vec3 smooth_normal = normalize(camera_normal.xyz);
-    n = dot(smooth_normal, n) < 0 ? -smooth_normal : smooth_normal;
-  }
+  vec3 n = shading_normal(eye);
   normal_out = vec4(octahedral(n), tangent_angle(n) / 6.28318531 + 0.5, 0);
   vec2 width = max(abs(dFdx(vertex_uv)), abs(dFdy(vertex_uv)));
   float footprint = log2(max(max(width.x, width.y), 1e-6));

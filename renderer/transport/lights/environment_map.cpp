@@ -191,8 +191,10 @@ std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec2f& xi) const {
   return EnvironmentSample{direction, radiance, static_cast<float>(luminance(radiance) / total_)};
 }
 
-float EnvironmentMap::pdf(const Vec3f& direction) const {
-  return is_black() ? 0 : static_cast<float>(luminance(radiance(direction)) / total_);
+float EnvironmentMap::pdf(const Vec3f& direction) const { return pdf_of(radiance(direction)); }
+
+float EnvironmentMap::pdf_of(const Rgb& radiance) const {
+  return is_black() ? 0 : static_cast<float>(luminance(radiance) / total_);
 }
 
 std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec3f& normal, const Vec2f& xi) const {

@@ -38,6 +38,8 @@ class EnvironmentMap {
 
   /// The solid-angle pdf of `sample`.
   float pdf(const grf::Vec3f& direction) const;
+  /// The same of all directions with this radiance, on which alone it depends.
+  float pdf_of(const reflectance::Rgb& radiance) const;
 
   /// Samples the map for a surface with this unit normal: nearly proportional to the cosine as well.
   std::optional<EnvironmentSample> sample(const grf::Vec3f& normal, const grf::Vec2f& xi) const;

@@ -15,7 +15,7 @@
 #include "editor/image/screen_controls.h"
 #include "editor/options/options_window.h"
 #include "editor/rendering/render_panel.h"
-#include "editor/tools/study_window.h"
+#include "editor/tools/tool_windows.h"
 #include "editor/window/viewer_window.h"
 #include "grf/text_file.h"
 #include "tests/editor/screenshots/pictures.h"
@@ -160,12 +160,12 @@ QPixmap study_window(const QString& state_file) {
   expect(state.has_value(), editor::text_of(diagnostics));
   for (const studies::StudyTool& tool : studies::study_tools()) {
     if (tool.name() != state->settings.keyword) continue;
-    editor::StudyWindow window(tool);
-    window.resize(1200, 720);
-    window.show();
-    window.open({state_file});
-    expect(QTest::qWaitFor([&] { return !window.is_busy(); }, Minute), "the study is not done");
-    return window.grab();
+    const auto window = editor::new_tool_window(tool);
+    window->resize(1200, 720);
+    window->show();
+    window->open({state_file});
+    expect(QTest::qWaitFor([&] { return !window->is_busy(); }, Minute), "the study is not done");
+    return window->grab();
   }
   throw std::runtime_error("no tool of that name");
 }

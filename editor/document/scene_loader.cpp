@@ -1,4 +1,4 @@
-#include "editor/window/scene_loader.h"
+#include "editor/document/scene_loader.h"
 
 #include <QFileInfo>
 #include <algorithm>
