@@ -24,7 +24,7 @@ nlohmann::json bpt_brdf(std::vector<std::string> arguments) {
 }
 
 /// The rows of a CSV text without its header, as fields.
-std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
+std::vector<std::vector<std::string>> fields_of(const std::string& csv) {
   std::vector<std::vector<std::string>> rows;
   std::istringstream lines(csv);
   std::string line;
@@ -44,7 +44,7 @@ TEST(StudiesAndCommandLine, EvaluateTheSameValues) {
   bpt_brdf(
       {"sample", brdf, "--pdf", "auto", "--u", "0.7,0.4", "--count", "20", "--fit", folder.path("a.fit")});
   const auto study = test::study_of_text("tool fitplot\nfile a.fit\n", folder.path("a.study"));
-  const auto rows = rows_of(study.csv);
+  const auto rows = fields_of(study.csv);
   ASSERT_GT(rows.size(), 10U);
   for (std::size_t i = 0; i < rows.size(); i += 5) {
     const double x = std::stod(rows[i][1]);
