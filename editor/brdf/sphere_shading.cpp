@@ -1,5 +1,6 @@
 #include "editor/brdf/sphere_shading.h"
 
+#include <QThreadPool>
 #include <QtConcurrent>
 #include <algorithm>
 #include <cmath>
@@ -56,7 +57,9 @@ SphereImage shade_on_cpu(const SphereScene& scene, int samples, const StopFlag& 
   const reflectance::Studio studio;
   std::vector<int> rows(static_cast<std::size_t>(scene.side));
   std::iota(rows.begin(), rows.end(), 0);
-  QtConcurrent::blockingMap(rows, [&](int row) {
+  // Threads of its own: shading is a task of the application's pool, whose threads would wait for each other.
+  QThreadPool threads;
+  QtConcurrent::blockingMap(&threads, rows, [&](int row) {
     reflectance::LitSurface surface(*scene.brdf, specular, studio);
     for (int column = 0; column < scene.side && !stop.is_set(); ++column) {
       const Vec3f n = sphere_normal(scene.side, column + 0.5, row + 0.5);

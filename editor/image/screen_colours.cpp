@@ -1,5 +1,6 @@
 #include "editor/image/screen_colours.h"
 
+#include <QThreadPool>
 #include <QtConcurrent>
 #include <algorithm>
 #include <bit>
@@ -181,7 +182,10 @@ QImage ScreenColours::convert(const transport::Image& image, const QRect& part, 
   };
   std::vector<int> rows(static_cast<std::size_t>(height));
   std::iota(rows.begin(), rows.end(), 0);
-  QtConcurrent::blockingMap(rows, convert_row);
+  // Threads of its own: the caller may be a task of the application's pool, whose threads would wait for each
+  // other.
+  QThreadPool threads;
+  QtConcurrent::blockingMap(&threads, rows, convert_row);
   return converted;
 }
 

@@ -2,6 +2,8 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <QThreadPool>
+#include <atomic>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -13,6 +15,23 @@
 
 namespace editor {
 namespace {
+
+// Each task of the pool shades in parallel; none may wait for threads that the others hold.
+TEST(SphereShading, IsDoneByAllThreadsOfThePool) {
+  SphereScene scene;
+  scene.brdf = compiled_brdf_of("ward sx=0.2");
+  scene.side = 32;
+  QThreadPool& pool = *QThreadPool::globalInstance();
+  std::atomic<int> done = 0;
+  const int tasks = 8 * pool.maxThreadCount();
+  for (int i = 0; i < tasks; ++i) {
+    pool.start([&] {
+      if (!shade_on_cpu(scene, 16, {}).radiance.empty()) ++done;
+    });
+  }
+  ASSERT_TRUE(pool.waitForDone(60'000)) << done << " of " << tasks;
+  EXPECT_EQ(done, tasks);
+}
 
 using reflectance::Vec3f;
 
