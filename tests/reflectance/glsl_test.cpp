@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/reflectance/glsl_texts.h"
+#include "renderer/reflectance/lit_surface.h"
 #include "renderer/reflectance/shader.h"
 #include "tests/reflectance/brdf_cases.h"
 #include "tests/reflectance/glsl_context.h"
@@ -154,7 +155,8 @@ TEST(GlslMirror, IsWhatCppsIs) {
 
 /// A shared file that is missing from the list would fail only in the window.
 TEST(GlslTexts, AreAModelsOrShared) {
-  const std::string shared = reflectance::shader_functions({});
+  // The shader of a lit surface has its own texts around those of the BRDF.
+  const std::string shared = reflectance::shader_functions({}) + reflectance::lit_surface_shader("");
   for (const reflectance::GlslText& file : reflectance::glsl_texts()) {
     EXPECT_FALSE(file.text.empty()) << file.name;
     const bool is_a_models = std::ranges::any_of(

@@ -186,6 +186,7 @@ std::vector<Picture> manual_pictures() {
       {"options", option_window},
       {"viewer", viewer_window},
       {"tool_minibpt", [] { return study_window(Samples + "studies/tools/equal_time.study"); }},
+      {"tool_brdfviewer", [] { return study_window(Samples + "studies/tools/brdf_viewer.study"); }},
       {"tool_emviewer", [] { return study_window(Samples + "studies/tools/emviewer.study"); }},
       {"tool_rejection", [] { return study_window(Samples + "studies/tools/rejection_brdf.study"); }},
       {"tool_subdivision", [] { return study_window(Samples + "studies/tools/figure_6_10.study"); }},
