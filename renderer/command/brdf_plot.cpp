@@ -26,8 +26,7 @@ std::vector<plot::LobeCurve> lobe_curves(const Reflector& reflector) {
 
 plot::Svg picture_of(const Reflector& reflector, const std::string& title) {
   plot::Svg svg(Width, Height);
-  const double fitting = (Width - 40) / (0.62 * static_cast<double>(std::max<std::size_t>(1, title.size())));
-  svg.text({20, 30}, title, {std::min(17.0, fitting), "#111", plot::Anchor::Start, 0});
+  svg.text({20, 30}, title, {plot::fitting_size(17, title, Width - 40), "#111", plot::Anchor::Start, 0});
   constexpr int Samples = 4096;
   const std::vector<plot::LobeCurve> curves = lobe_curves(reflector);
   draw(polar_lobe_chart(curves, {plot::Channel::Mean, true, false}), {{20, 50}, 460, 280}, svg);

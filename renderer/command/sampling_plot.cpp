@@ -212,14 +212,11 @@ std::string costs_of(const SampledInstance& instance, const std::vector<Row>& ro
                      100 * instance.reflector.cosine_fraction());
 }
 
-double fitting(double size, const std::string& words, double width) {
-  return std::min(size, width / (0.62 * static_cast<double>(std::max<std::size_t>(1, words.size()))));
-}
-
 void draw_header(const std::string& brdf, const std::string& pdf, const std::string& costs, plot::Svg& svg) {
   constexpr double Inside = Width - 2 * Left;
-  svg.text({Left, 32}, brdf, {fitting(17, brdf, Inside), "#111", Anchor::Start, 0});
-  svg.text({Left, 56}, "sampled by " + pdf, {fitting(13, pdf, Inside / 2), "#111", Anchor::Start, 0});
+  svg.text({Left, 32}, brdf, {plot::fitting_size(17, brdf, Inside), "#111", Anchor::Start, 0});
+  svg.text({Left, 56}, "sampled by " + pdf,
+           {plot::fitting_size(13, pdf, Inside / 2), "#111", Anchor::Start, 0});
   svg.text({Width - Left, 56}, costs, {12, "#333", Anchor::End, 0});
   constexpr double Y = HeaderHeight - 31;
   const auto heading = [&](double x, const char* words, const char* meaning) {

@@ -138,6 +138,11 @@ Surface rendered(const std::string& svg, double scale) {
 
 }  // namespace
 
+double fitting_size(double size, std::string_view words, double width) {
+  constexpr double LetterWidth = 0.62;  // of the font size
+  return std::min(size, width / (LetterWidth * static_cast<double>(std::max<std::size_t>(1, words.size()))));
+}
+
 Svg::Svg(double width, double height, Paper paper) : width_(width), height_(height), paper_(paper) {
   text_ = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" "

@@ -30,6 +30,9 @@ struct Lettering {
   double turned = 0;  ///< rotation in degrees, clockwise
 };
 
+/// Returns the font size, at most `size`, at which words fit a width, with room to spare for wide letters.
+double fitting_size(double size, std::string_view words, double width);
+
 /// What a document is shown on. For a dark screen, greys are inverted, and dark lines lightened.
 enum class Paper { White, Dark };
 

@@ -129,8 +129,7 @@ std::string_view colour_of(std::size_t index) { return CloudColours[index % Clou
 void draw_header(const std::vector<ReadFit>& fits, plot::Svg& svg) {
   const ReadFit& first = fits.front();
   const std::string brdf = grf::to_text(first.file.brdf);
-  const double fitting = (Width - 40) / (0.62 * static_cast<double>(std::max<std::size_t>(1, brdf.size())));
-  svg.text({20, 30}, brdf, {std::min(17.0, fitting), "#111", Anchor::Start, 0});
+  svg.text({20, 30}, brdf, {plot::fitting_size(17, brdf, Width - 40), "#111", Anchor::Start, 0});
   svg.text({20, 54},
            fmt::format("viewed at \u03B8 = {:.4g}\u00B0, \u03C6 = {:.4g}\u00B0", first.file.theta / Degree,
                        std::remainder(first.file.phi, 2 * std::numbers::pi) / Degree),

@@ -257,9 +257,7 @@ void draw_header(const EnvironmentResult& result, plot::Svg& svg) {
   const EnvironmentSettings& settings = result.settings;
   const transport::Image& image = result.surface.map().image();
   const std::string brdf = grf::to_text(result.model);
-  const double fitting =
-      (Width - 2 * Left) / (0.62 * static_cast<double>(std::max<std::size_t>(1, brdf.size())));
-  svg.text({Left, 30}, brdf, {std::min(17.0, fitting), "#111", Anchor::Start, 0});
+  svg.text({Left, 30}, brdf, {plot::fitting_size(17, brdf, Width - 2 * Left), "#111", Anchor::Start, 0});
   const std::string normal = settings.tilt == 0
                                  ? std::string("the normal is y")
                                  : fmt::format("the normal is tilted {} from y towards azimuth {}",

@@ -50,10 +50,6 @@ std::string caption_of(const MiniImage& image) {
   return text;
 }
 
-double fitting(double size, const std::string& words, double width) {
-  return std::min(size, width / (0.62 * static_cast<double>(std::max<std::size_t>(1, words.size()))));
-}
-
 /// The size of an image in the figure.
 plot::Point shown_size(const Image& image, double largest_width) {
   const double aspect = static_cast<double>(image.width) / image.height;
@@ -66,7 +62,7 @@ void draw_image(const MiniImage& image, double x, const plot::Point& size, plot:
   double y = Top + size.y;
   const auto line = [&](const std::string& words, std::string_view colour) {
     y += 18;
-    svg.text({x, y}, words, {fitting(12, words, size.x), colour, Anchor::Start, 0});
+    svg.text({x, y}, words, {plot::fitting_size(12, words, size.x), colour, Anchor::Start, 0});
   };
   line((image.name.empty() ? "" : image.name + ":  ") + image.brdf, "#111");
   line("sampled by " + image.scheme, "#333");
@@ -79,7 +75,8 @@ plot::Svg figure_of(const std::vector<MiniImage>& images, const std::string& tit
   const plot::Point size = shown_size(*images.front().image, is_pair ? WidthOfTwo : LargestWidth);
   const double width = is_pair ? 2 * size.x + 3 * Margin : size.x + 2 * Margin;
   plot::Svg svg(width, Top + size.y + CaptionHeight + Margin / 2, context.paper);
-  svg.text({Margin, 30}, title, {fitting(17, title, width - 2 * Margin), "#111", Anchor::Start, 0});
+  svg.text({Margin, 30}, title,
+           {plot::fitting_size(17, title, width - 2 * Margin), "#111", Anchor::Start, 0});
   double x = Margin;
   for (const MiniImage& image : images) {
     if (image.image) draw_image(image, x, size, svg);

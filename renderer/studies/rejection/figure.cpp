@@ -20,9 +20,8 @@ constexpr Rectangle HistogramPlace = {{590, 304}, 440, 302};
 constexpr double RowHeight = 19;
 
 void draw_header(const RejectionReport& report, const std::vector<LegendItem>& legend, Svg& svg) {
-  const double fitting =
-      (RejectionWidth - 40) / (0.62 * static_cast<double>(std::max<std::size_t>(1, report.title.size())));
-  svg.text({20, 30}, report.title, {std::min(17.0, fitting), "#111", Anchor::Start, 0});
+  svg.text({20, 30}, report.title,
+           {plot::fitting_size(17, report.title, RejectionWidth - 40), "#111", Anchor::Start, 0});
   svg.text({20, 52}, report.note, {12, "#333", Anchor::Start, 0});
   double x = 20;
   for (const LegendItem& item : legend) {
@@ -92,8 +91,8 @@ void draw_numbers(const RejectionReport& report, Svg& svg) {
   std::vector<std::string> remarks = report.remarks;
   if (!report.tree) remarks.push_back(report.no_tree_reason);
   const auto draw_line = [&](const std::string& words, std::string_view colour) {
-    const double fitting = NumbersPlace.width / (0.56 * static_cast<double>(words.size()));
-    svg.text({left, y}, words, {std::min(11.0, fitting), colour, Anchor::Start, 0});
+    svg.text({left, y}, words,
+             {plot::fitting_size(11, words, 1.1 * NumbersPlace.width), colour, Anchor::Start, 0});
     y += 16;
   };
   for (const std::string& remark : remarks) draw_line(remark, "#666");

@@ -287,9 +287,8 @@ void draw_lobe_panel(const SubdivisionSubject& subject, const StudyContext& cont
 
 void draw_subdivision_header(const SubdivisionSubject& subject, const std::string& facts, plot::Svg& svg) {
   const std::string brdf = grf::to_text(subject.viewed.model);
-  const double fitting =
-      (svg.width() - 2 * Left) / (0.62 * static_cast<double>(std::max<std::size_t>(1, brdf.size())));
-  svg.text({Left, 30}, brdf, {std::min(17.0, fitting), "#111", Anchor::Start, 0});
+  svg.text({Left, 30}, brdf,
+           {plot::fitting_size(17, brdf, svg.width() - 2 * Left), "#111", Anchor::Start, 0});
   const Angles& view = subject.viewed.view;
   svg.text({Left, 54},
            fmt::format("viewed at \u03B8 = {:.4g}\u00B0, \u03C6 = {:.4g}\u00B0; {}", view.theta / Degree,

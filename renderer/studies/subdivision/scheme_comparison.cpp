@@ -153,10 +153,8 @@ void draw_comparison(const SubdivisionSubject& subject, const std::vector<Compar
                           svg);
   for (std::size_t i = 0; i < schemes.size(); ++i) {
     const Rectangle place = place_of(i);
-    const double fitting =
-        (ColumnWidth - 20) / (0.62 * static_cast<double>(std::max<std::size_t>(1, schemes[i].name.size())));
     svg.text({place.corner.x, place.corner.y - 10}, schemes[i].name,
-             {std::min(13.0, fitting), "#111", Anchor::Start, 0});
+             {plot::fitting_size(13, schemes[i].name, ColumnWidth - 20), "#111", Anchor::Start, 0});
     if (!schemes[i].reflector) {
       draw_reason("cannot sample this BRDF: " + schemes[i].unsupported_reason, place, svg);
       continue;
