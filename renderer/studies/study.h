@@ -74,7 +74,7 @@ struct StudyTool {
 std::vector<StudyTool> study_tools();
 
 /// Returns what a tool shows at first; nothing if there is no tool of that name.
-std::optional<ToolState> initial_state(std::string_view tool);
+std::optional<ToolState> initial_state(std::string_view name);
 
 /// Checks a state against a tool: the values of its settings, and the number and values of its models.
 bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diagnostics);

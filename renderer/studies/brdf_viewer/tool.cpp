@@ -119,7 +119,8 @@ std::string png_of(const Shaded& shaded, const transport::View& view, const Sett
   const transport::Camera camera(view, Columns, Rows);
   for (int row = 0; row < Rows; ++row) {
     for (int column = 0; column < Columns; ++column) {
-      const auto i = static_cast<std::size_t>(row * Columns + column);
+      const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(Columns) +
+                     static_cast<std::size_t>(column);
       const float free = 1 - shaded.cover[i];
       if (free <= 0) continue;
       // The paper is as bright at any exposure.
@@ -197,7 +198,8 @@ void list_settings(const Settings& settings, const ViewerFiles& files, double y,
 std::string csv_of(const Shaded& shaded) {
   std::string text = "column,cos_eye,r,g,b\n";
   for (int column = 0; column < Columns; ++column) {
-    const auto i = static_cast<std::size_t>(Rows / 2 * Columns + column);
+    const auto i = static_cast<std::size_t>(Rows / 2) * static_cast<std::size_t>(Columns) +
+                   static_cast<std::size_t>(column);
     const SurfacePixel& pixel = shaded.pixels[i];
     if (pixel.normal == Vec3f(0)) continue;
     const Rgb& c = shaded.radiance[i];
@@ -209,7 +211,8 @@ std::string csv_of(const Shaded& shaded) {
 std::string described(const Shaded& shaded, const Point& at) {
   const Point inside = at - Place.corner;
   if (inside.x < 0 || inside.y < 0 || inside.x >= Place.width || inside.y >= Place.height) return {};
-  const auto i = static_cast<std::size_t>(static_cast<int>(inside.y) * Columns + static_cast<int>(inside.x));
+  const auto i = static_cast<std::size_t>(inside.y) * static_cast<std::size_t>(Columns) +
+                 static_cast<std::size_t>(inside.x);
   const SurfacePixel& pixel = shaded.pixels[i];
   if (pixel.normal == Vec3f(0)) return {};
   const Rgb& c = shaded.radiance[i];

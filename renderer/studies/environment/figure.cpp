@@ -372,9 +372,9 @@ void draw_deviations(const EnvironmentResult& result, plot::Svg& svg) {
 
 std::string text_of(const Rgb& rgb) {
   constexpr std::size_t Fitting = 29;
-  const std::string average = fmt::format("{:.4g}", mean(rgb));
+  std::string average = fmt::format("{:.4g}", mean(rgb));
   if (std::abs(rgb.x - rgb.y) + std::abs(rgb.y - rgb.z) <= 1e-5F * mean(rgb)) return average;
-  const std::string text = fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", average, rgb.x, rgb.y, rgb.z);
+  std::string text = fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", average, rgb.x, rgb.y, rgb.z);
   return text.size() <= Fitting ? text : average;
 }
 

@@ -119,7 +119,8 @@ SurfaceQuadrature::Sums SurfaceQuadrature::sample_row(int y) {
   const auto upper = static_cast<float>(2 * Grid.solid_angle(y, y + 0.5, 0.5) / whole);
   Sums sums;
   for (int x = 0; x < Grid.width; ++x) {
-    DirectionValues& cell = cells_[static_cast<std::size_t>(y * Grid.width + x)];
+    DirectionValues& cell = cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(Grid.width) +
+                                   static_cast<std::size_t>(x)];
     const Vec3f direction = Grid.direction(x + 0.5, y + 0.5);
     cell.radiance = (fine_radiance(x, y) + fine_radiance(x + 0.5, y)) * (upper / 2) +
                     (fine_radiance(x, y + 0.5) + fine_radiance(x + 0.5, y + 0.5)) * ((1 - upper) / 2);
@@ -144,7 +145,9 @@ double SurfaceQuadrature::importance(const Rgb& difference, const Rgb& radiance,
 bool SurfaceQuadrature::varies(int x, int y) const {
   const auto at = [&](int column, int row) -> const DirectionValues& {
     const int wrapped = (column + Grid.width) % Grid.width;
-    return cells_[static_cast<std::size_t>(std::clamp(row, 0, Grid.height - 1) * Grid.width + wrapped)];
+    return cells_[static_cast<std::size_t>(std::clamp(row, 0, Grid.height - 1)) *
+                      static_cast<std::size_t>(Grid.width) +
+                  static_cast<std::size_t>(wrapped)];
   };
   const DirectionValues& here = at(x, y);
   const double solid_angle = Grid.solid_angle(y, y + 1, 1);
@@ -157,7 +160,8 @@ bool SurfaceQuadrature::varies(int x, int y) const {
 SurfaceQuadrature::Sums SurfaceQuadrature::integral_of_row(int y) const {
   Sums sums;
   for (int x = 0; x < Grid.width; ++x) {
-    const DirectionValues& cell = cells_[static_cast<std::size_t>(y * Grid.width + x)];
+    const DirectionValues& cell = cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(Grid.width) +
+                                         static_cast<std::size_t>(x)];
     if (is_near_mirror(Grid.direction(x + 0.5, y + 0.5), 1) || varies(x, y))
       subdivide({double(x), double(y), 1, 0, cell.f_cos}, sums);
     else
@@ -228,7 +232,9 @@ double SurfaceQuadrature::expected_efficiency() const {
   for (int y = 0; y < Grid.height; ++y) {
     const double solid_angle = Grid.solid_angle(y, y + 1, 1);
     for (int x = 0; x < Grid.width; ++x) {
-      const DirectionValues& cell = cells_[static_cast<std::size_t>(y * Grid.width + x)];
+      const DirectionValues& cell =
+          cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(Grid.width) +
+                 static_cast<std::size_t>(x)];
       if (!(cell.product > 0)) continue;
       if (!(cell.scheme > 0)) return 0;
       sum += cell.product * cell.product / cell.scheme * solid_angle;

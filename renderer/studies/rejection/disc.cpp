@@ -269,7 +269,8 @@ void DiscTree::visit(const std::function<void(const Leaf& leaf)>& visit) const {
     }
     for (int i = 0; i < 4; ++i)
       open.push_back(
-          {&tree_.nodes()[static_cast<std::size_t>(leaf.node->children + i)], leaf.cells.quarter(i)});
+          {&tree_.nodes()[static_cast<std::size_t>(leaf.node->children) + static_cast<std::size_t>(i)],
+           leaf.cells.quarter(i)});
   }
 }
 

@@ -220,7 +220,8 @@ std::vector<Point> column_densities(const DiscCells& cells) {
   for (int i = 0; i < DiscCells::Columns; ++i) {
     double mass = 0;
     for (int k = 0; k < DiscCells::Rows; ++k)
-      mass += cells.masses[static_cast<std::size_t>(i * DiscCells::Rows + k)];
+      mass += cells.masses[static_cast<std::size_t>(i) * static_cast<std::size_t>(DiscCells::Rows) +
+                           static_cast<std::size_t>(k)];
     steps.emplace_back(Width * i - 1, mass / (cells.total * Width));
     steps.emplace_back(Width * (i + 1) - 1, mass / (cells.total * Width));
   }
@@ -289,9 +290,9 @@ RejectionReport report_of(const ToolState& state, const RejectionToolSettings& s
         fmt::format("The maximum is at the horizon: directions beyond {}\u00B0 are left out.", LimitDegrees));
   bool are_drawn = true;
   result.tree.visit_leaves([&](const reflectance::Box& box) { are_drawn = are_drawn && is_drawn(box); });
-  if (!are_drawn) report.remarks.push_back("Leaves smaller than 2 pixels are not drawn.");
+  if (!are_drawn) report.remarks.emplace_back("Leaves smaller than 2 pixels are not drawn.");
   if (reflectance::has_specular_part(result.brdf))
-    report.remarks.push_back("The mirror (delta) part is left out.");
+    report.remarks.emplace_back("The mirror (delta) part is left out.");
   add_warnings(result.run, settings.limits({}).samples, report.warnings);
   report.histogram = histogram_of(result);
   return report;

@@ -140,8 +140,9 @@ Point label_end(const std::array<Point, 4>& corners) {
   constexpr double Radius = TreePlace.width / 2;
   const Point corner = *std::ranges::max_element(corners, {}, [](const Point& p) { return p.x - p.y; });
   const Point middle = (corners[0] + corners[2]) / 2;
-  for (double part = 1; part > 0; part -= 0.05) {
-    const Point point = middle + (corner - middle) * part;
+  constexpr int Parts = 20;
+  for (int part = Parts; part > 0; --part) {
+    const Point point = middle + (corner - middle) * part / Parts;
     if ((point - centre()).length() < Radius) return point;
   }
   return centre() + (middle - centre()).normalized() * Radius;

@@ -57,7 +57,9 @@ PointsOfStrata mapped(Map map) {
     const Vec2f xi((static_cast<float>(column) + 0.5F) / (Strata * Points),
                    (static_cast<float>(row) + 0.5F) / (Strata * Points));
     if (const auto point = map(xi, index++))
-      strata[static_cast<std::size_t>(row / Points * Strata + column / Points)].push_back(*point);
+      strata[static_cast<std::size_t>(row / Points) * static_cast<std::size_t>(Strata) +
+             static_cast<std::size_t>(column / Points)]
+          .push_back(*point);
   }
   return strata;
 }

@@ -53,7 +53,8 @@ void expect_startup_within(int limit, const QStringList& files) {
 TEST(Startup, IsUnderASecondWithNothing) { expect_startup_within(1000, {}); }
 
 TEST(Startup, IsUnderASecondWithEachTool) {
-  for (const char* tool : {"grfviewer", "op", "image", "minibpt", "brdfviewer", "emviewer", "rejection", "subdivision"}) {
+  for (const char* tool :
+       {"grfviewer", "op", "image", "minibpt", "brdfviewer", "emviewer", "rejection", "subdivision"}) {
     SCOPED_TRACE(tool);
     expect_startup_within(1000, {"--tool", tool});
   }
