@@ -1,11 +1,9 @@
 #include "editor/brdf/sphere_shading.h"
 
-#include <QThreadPool>
-#include <QtConcurrent>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "editor/jobs/parallel_rows.h"
 #include "grf/srgb.h"
 
 namespace editor {
@@ -55,11 +53,7 @@ SphereImage shade_on_cpu(const SphereScene& scene, int samples, const StopFlag& 
   const reflectance::SpecularTable specular = reflectance::specular_table(*scene.brdf);
   const reflectance::DistantLight light = {scene.light, Rgb(scene.light_strength)};
   const reflectance::Studio studio;
-  std::vector<int> rows(static_cast<std::size_t>(scene.side));
-  std::iota(rows.begin(), rows.end(), 0);
-  // Threads of its own: shading is a task of the application's pool, whose threads would wait for each other.
-  QThreadPool threads;
-  QtConcurrent::blockingMap(&threads, rows, [&](int row) {
+  for_each_row(scene.side, [&](int row) {
     reflectance::LitSurface surface(*scene.brdf, specular, studio);
     for (int column = 0; column < scene.side && !stop.is_set(); ++column) {
       const Vec3f n = sphere_normal(scene.side, column + 0.5, row + 0.5);

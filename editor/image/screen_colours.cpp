@@ -1,13 +1,11 @@
 #include "editor/image/screen_colours.h"
 
-#include <QThreadPool>
-#include <QtConcurrent>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "editor/jobs/parallel_rows.h"
 #include "grf/srgb.h"
 
 namespace editor {
@@ -180,12 +178,7 @@ QImage ScreenColours::convert(const transport::Image& image, const QRect& part, 
       to[column] = (*this)(block == 1 ? image.at(x, y) : mean_of(image, square));
     }
   };
-  std::vector<int> rows(static_cast<std::size_t>(height));
-  std::iota(rows.begin(), rows.end(), 0);
-  // Threads of its own: the caller may be a task of the application's pool, whose threads would wait for each
-  // other.
-  QThreadPool threads;
-  QtConcurrent::blockingMap(&threads, rows, convert_row);
+  for_each_row(height, convert_row);
   return converted;
 }
 
