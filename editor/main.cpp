@@ -63,7 +63,7 @@ int make_figure(const QString& state_file, const QString& tool_name, const QStri
   };
   std::optional<studies::ToolState> state;
   if (state_file.isEmpty()) {
-    state = studies::initial_state(tool_name.toStdString());
+    if (const auto tool = studies::study_tool(tool_name.toStdString())) state = tool->initial;
     if (!state) return fail(QString("there are no figures of a tool called '%1'").arg(tool_name));
   } else {
     const auto text = grf::read_file(state_file.toStdString(), diagnostics);

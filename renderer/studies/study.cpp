@@ -1,11 +1,10 @@
 #include "renderer/studies/study.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "grf/keywords.h"
 #include "grf/text_file.h"
+#include "grf/wording.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/studies/brdf_viewer/tool.h"
 #include "renderer/studies/environment/viewer.h"
@@ -23,8 +22,8 @@ bool check_count(const ToolState& state, std::size_t found, std::size_t expected
                  grf::Diagnostics& diagnostics) {
   if (found == expected) return true;
   diagnostics.error(state.settings.location,
-                    fmt::format("'{}' takes {} {}{}, and the state has {}", state.settings.keyword, expected,
-                                what, expected == 1 ? "" : "s", found));
+                    fmt::format("'{}' takes {}, and the state has {}", state.settings.keyword,
+                                grf::counted(expected, what, fmt::format("{}s", what)), found));
   return false;
 }
 
@@ -51,9 +50,9 @@ std::vector<StudyTool> study_tools() {
           brdf_viewer_tool(), subdivision_tool(),        fit_plot_tool()};
 }
 
-std::optional<ToolState> initial_state(std::string_view name) {
+std::optional<StudyTool> study_tool(std::string_view name) {
   for (const StudyTool& tool : study_tools()) {
-    if (grf::same_keyword(tool.name(), name)) return tool.initial;
+    if (grf::same_keyword(tool.name(), name)) return tool;
   }
   return std::nullopt;
 }
@@ -85,12 +84,10 @@ bool write_data(const Study& study, const std::string& path, grf::Diagnostics& d
 
 std::optional<Study> study_of(const ToolState& state, const StudyContext& context,
                               grf::Diagnostics& diagnostics) {
-  const std::vector<StudyTool> tools = study_tools();
-  const auto tool = std::ranges::find_if(
-      tools, [&](const StudyTool& each) { return grf::same_keyword(each.name(), state.settings.keyword); });
-  if (tool == tools.end()) {
+  const auto tool = study_tool(state.settings.keyword);
+  if (!tool) {
     std::vector<grf::ModelInfo> infos;
-    for (const StudyTool& each : tools) infos.push_back(each.settings);
+    for (const StudyTool& each : study_tools()) infos.push_back(each.settings);
     grf::report_unknown(state.settings, infos, "tool", {}, diagnostics);
     return std::nullopt;
   }

@@ -73,8 +73,8 @@ struct StudyTool {
 /// Returns the table of all tools with a figure. A new tool is a new row here.
 std::vector<StudyTool> study_tools();
 
-/// Returns what a tool shows at first; nothing if there is no tool of that name.
-std::optional<ToolState> initial_state(std::string_view name);
+/// Returns the tool of a name; nothing if there is none.
+std::optional<StudyTool> study_tool(std::string_view name);
 
 /// Checks a state against a tool: the values of its settings, and the number and values of its models.
 bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diagnostics);

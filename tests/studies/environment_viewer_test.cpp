@@ -253,10 +253,10 @@ TEST_F(EnvironmentViewer, SeesAChangeOfModels) {
 
 TEST_F(EnvironmentViewer, StopsEarly) {
   grf::Diagnostics diagnostics;
-  const auto state = studies::initial_state("emviewer");
-  ASSERT_TRUE(state);
+  const auto tool = studies::study_tool("emviewer");
+  ASSERT_TRUE(tool);
   std::atomic<int> polls = 0;
-  studies::study_of(*state, {plot::Paper::White, [&] { return ++polls > 0; }}, diagnostics);
+  studies::study_of(tool->initial, {plot::Paper::White, [&] { return ++polls > 0; }}, diagnostics);
   EXPECT_GT(polls, 0);
   EXPECT_LT(polls, 1000);
 }

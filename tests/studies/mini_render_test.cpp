@@ -158,9 +158,7 @@ TEST_F(MiniRender, TakesTheViewOfTheOptions) {
   state.settings.keyword = "minibpt";
   state.files = {{folder_.path("plane.grf"), {}}};
   grf::Diagnostics diagnostics;
-  for (const studies::StudyTool& tool : studies::study_tools()) {
-    if (tool.name() == "minibpt") tool.open(state, diagnostics);
-  }
+  studies::study_tool("minibpt")->open(state, diagnostics);
   EXPECT_EQ(diagnostics.to_text(), "");
   ASSERT_EQ(state.files.size(), 2U) << "the options beside the scene";
   EXPECT_EQ(state.files[1].path, folder_.path("plane.op"));
@@ -172,9 +170,7 @@ TEST_F(MiniRender, TurnsTheEyeAboutThePointLookedAt) {
   grf::Diagnostics diagnostics;
   auto state = studies::read_state(
       "tool minibpt viewer_x=1 viewer_y=0 viewer_z=6 vlook_x=1 vlook_y=0 vlook_z=1\n", "a", diagnostics);
-  for (const studies::StudyTool& tool : studies::study_tools()) {
-    if (tool.name() == "minibpt") tool.turn(*state, 90, 0);
-  }
+  studies::study_tool("minibpt")->turn(*state, 90, 0);
   const auto value = [&](std::size_t i) { return std::get<float>(state->settings.arguments[i].value); };
   EXPECT_NEAR(value(0), 6, 1e-5);
   EXPECT_NEAR(value(1), 0, 1e-5);

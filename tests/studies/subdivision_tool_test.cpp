@@ -153,7 +153,7 @@ TEST(SubdivisionTool, IsMadeAgainFromItsText) {
   EXPECT_EQ(first->figure.str(), second->figure.str());
   EXPECT_EQ(first->csv, second->csv);
   EXPECT_EQ(diagnostics.to_text(), "");
-  EXPECT_TRUE(studies::study_of(studies::initial_state("subdivision").value(), {}, diagnostics));
+  EXPECT_TRUE(studies::study_of(studies::study_tool("subdivision")->initial, {}, diagnostics));
 }
 
 TEST(SubdivisionTool, ComparesSixSchemes) {

@@ -219,8 +219,7 @@ std::string title_of(const ToolState& state, const MiniRenderSettings& settings,
 
 /// Renders one image of the study; returns false after an error, or if it was stopped.
 bool render_image(const MiniScene& scene, const std::optional<double>& seconds, const Renderer& renderer,
-                  grf::Diagnostics& diagnostics) {
-  job::PreviewScene prepared;
+                  job::PreviewScene& prepared, grf::Diagnostics& diagnostics) {
   auto settings = prepared.prepare({scene.scene, "", scene.options, {}}, {}, diagnostics);
   if (!settings) return false;
   if (seconds) {
@@ -248,10 +247,11 @@ std::optional<Study> make_study(const ToolState& state, const StudyContext& cont
     if (images.front().image) context.refined({figure_of(images, title, context), {}, {}, {}});
   };
   const Renderer renderer(context, images, refined);
+  job::PreviewScene prepared;  // of both images, which share the acceleration structure
   if (is_assigned) assign(state.brdfs[0], state.pdfs[0], *scene);
   images.push_back(named_image(state, 0, 0, is_assigned));
   if (settings.compare != MiniRenderSettings::Nothing) images.back().name = "A";
-  if (!render_image(*scene, {}, renderer, diagnostics)) return std::nullopt;
+  if (!render_image(*scene, {}, renderer, prepared, diagnostics)) return std::nullopt;
   if (settings.compare != MiniRenderSettings::Nothing) {
     const std::size_t brdf = settings.compare == MiniRenderSettings::Brdfs ? 1 : 0;
     MiniScene other = *scene;
@@ -259,7 +259,7 @@ std::optional<Study> make_study(const ToolState& state, const StudyContext& cont
     const double seconds = images.front().seconds;
     images.push_back(named_image(state, brdf, 1 - brdf, true));
     images.back().name = "B";
-    if (!render_image(other, seconds, renderer, diagnostics)) return std::nullopt;
+    if (!render_image(other, seconds, renderer, prepared, diagnostics)) return std::nullopt;
   }
   Study study{figure_of(images, title, context), {}, csv_of(images), {}};
   for (const MiniImage& image : images) {

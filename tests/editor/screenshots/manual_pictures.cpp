@@ -158,16 +158,14 @@ QPixmap study_window(const QString& state_file) {
   const auto text = grf::read_file(path, diagnostics);
   const auto state = text ? studies::read_state(*text, path, diagnostics) : std::nullopt;
   expect(state.has_value(), editor::text_of(diagnostics));
-  for (const studies::StudyTool& tool : studies::study_tools()) {
-    if (tool.name() != state->settings.keyword) continue;
-    const auto window = editor::new_tool_window(tool);
-    window->resize(1200, 720);
-    window->show();
-    window->open({state_file});
-    expect(QTest::qWaitFor([&] { return !window->is_busy(); }, Minute), "the study is not done");
-    return window->grab();
-  }
-  throw std::runtime_error("no tool of that name");
+  const auto tool = studies::study_tool(state->settings.keyword);
+  expect(tool.has_value(), "no tool of that name");
+  const auto window = editor::new_tool_window(*tool);
+  window->resize(1200, 720);
+  window->show();
+  window->open({state_file});
+  expect(QTest::qWaitFor([&] { return !window->is_busy(); }, Minute), "the study is not done");
+  return window->grab();
 }
 
 QPixmap shortcut_list() {

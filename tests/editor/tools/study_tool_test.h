@@ -16,17 +16,10 @@
 
 namespace editor {
 
-inline studies::StudyTool tool_called(std::string_view name) {
-  for (const studies::StudyTool& tool : studies::study_tools()) {
-    if (tool.name() == name) return tool;
-  }
-  throw std::runtime_error("no such tool");
-}
-
 /// The window of a tool on the screen.
 class StudyToolTest : public testing::Test {
  protected:
-  explicit StudyToolTest(std::string_view tool) : window_(tool_called(tool)) {
+  explicit StudyToolTest(std::string_view tool) : window_(studies::study_tool(tool).value()) {
     window_.resize(1200, 720);
     window_.show();
   }
