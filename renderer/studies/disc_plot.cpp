@@ -17,10 +17,6 @@ using reflectance::Vec3f;
 
 constexpr int Subpixels = 2;  // along a side
 
-Point point_of(const Vec3f& v, const plot::Rectangle& place) {
-  return place.corner + Point((1 + v.x) / 2 * place.width, (1 - v.y) / 2 * place.height);
-}
-
 Rgb linear(const grf::Colour& encoded) {
   return {grf::srgb_decoded(encoded.x), grf::srgb_decoded(encoded.y), grf::srgb_decoded(encoded.z)};
 }
@@ -46,6 +42,10 @@ DiscMap::Pixel pixel_at(int column, int row, const std::function<double(const Ve
 }
 
 }  // namespace
+
+Point point_on_disc(double x, double y, const plot::Rectangle& place) {
+  return place.corner + Point((1 + x) / 2 * place.width, (1 - y) / 2 * place.height);
+}
 
 DiscMap::DiscMap(const std::function<double(const Vec3f&)>& function) {
   pixels_.reserve(static_cast<std::size_t>(Side) * Side);
@@ -77,12 +77,12 @@ void draw_directions(std::span<const Vec3f> directions, const plot::Rectangle& p
                      plot::Svg& svg) {
   constexpr double Radius = 0.9;
   std::vector<Point> points;
-  for (const Vec3f& v : directions) points.push_back(point_of(v, place));
+  for (const Vec3f& v : directions) points.push_back(point_on_disc(v.x, v.y, place));
   svg.dots(points, Radius, colour);
 }
 
 void mark_view(const Vec3f& u, const plot::Rectangle& place, plot::Svg& svg) {
-  const Point centre = point_of(u, place);
+  const Point centre = point_on_disc(u.x, u.y, place);
   svg.circle(centre, 4, {"#fff", 3});
   svg.circle(centre, 4, {"#111", 1.2});
 }

@@ -11,6 +11,9 @@
 
 namespace studies {
 
+/// Returns where the disc has a direction with these x and y, in a square around it.
+plot::Point point_on_disc(double x, double y, const plot::Rectangle& place);
+
 /// The means of a function over the pixels of a square around the disc.
 class DiscMap {
  public:

@@ -169,9 +169,7 @@ void draw_lobe_panel(const std::vector<ReadFit>& fits, const FitPlotSettings& se
     scaled.positions[i] = mesh.directions[i] * radius_of(mesh.values[i]);
   const HemisphereView view(settings.azimuth, settings.elevation, LobePlace);
   draw_lobe(scaled, Grid, LobeColour, clouds, view, svg);
-  draw_direction({0, 0, 1}, "n", "2 3", view, svg);
-  draw_direction(first.u, "view", "", view, svg);
-  draw_direction(reflectance::mirrored(first.u), "mirror", "6 3", view, svg);
+  draw_view_directions(first.u, view, svg);
   svg.text(
       {LobePlace.corner.x, LobePlace.corner.y + LobePlace.height + 22},
       fmt::format(
@@ -235,10 +233,6 @@ void draw_comparison(const std::vector<ReadFit>& fits, const FitPlotSettings& se
   draw(chart, ChartPlace, svg);
 }
 
-Point point_on(const Rectangle& place, const Vec3f& v) {
-  return place.corner + Point((1 + v.x) / 2 * place.width, (1 - v.y) / 2 * place.height);
-}
-
 std::string summary_of(const std::vector<ReadFit>& fits) {
   std::string text;
   for (const ReadFit& fit : fits) {
@@ -273,7 +267,7 @@ std::string described(const std::vector<ReadFit>& fits, const Point& at) {
   double distance = Near;
   for (const ReadFit& fit : fits) {
     for (const ComparedPoint& point : fit.points) {
-      const double away = (point_on(DiscPlace, point.direction) - at).length();
+      const double away = (point_on_disc(point.direction.x, point.direction.y, DiscPlace) - at).length();
       if (away >= distance) continue;
       distance = away;
       nearest = &point;

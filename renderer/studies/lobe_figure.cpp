@@ -122,4 +122,10 @@ void draw_direction(const Vec3f& direction, std::string_view name, std::string_v
   svg.text(end + Point(0, -5), name, {11, "#333", plot::Anchor::Middle, 0});
 }
 
+void draw_view_directions(const Vec3f& u, const HemisphereView& view, plot::Svg& svg) {
+  draw_direction({0, 0, 1}, "n", "2 3", view, svg);
+  draw_direction(u, "view", "", view, svg);
+  draw_direction(reflectance::mirrored(u), "mirror", "6 3", view, svg);
+}
+
 }  // namespace studies

@@ -41,4 +41,7 @@ void draw_lobe(const plot::LobeMesh& mesh, const plot::LobeGrid& grid, std::stri
 void draw_direction(const reflectance::Vec3f& direction, std::string_view name, std::string_view dashes,
                     const HemisphereView& view, plot::Svg& svg);
 
+/// Draws the normal, the view direction and its mirror direction.
+void draw_view_directions(const reflectance::Vec3f& u, const HemisphereView& view, plot::Svg& svg);
+
 }  // namespace studies

@@ -127,9 +127,7 @@ void draw_leaves(const DiscTree& tree, const Rectangle& place, plot::Svg& svg) {
   const Point centre = place.corner + Point(place.width, place.height) / 2;
   svg.begin_clip(centre, place.width / 2);
   tree.visit_leaves([&](const reflectance::Box& box) {
-    const auto at = [&](double x, double y) {
-      return place.corner + Point((1 + x) / 2 * place.width, (1 - y) / 2 * place.height);
-    };
+    const auto at = [&](double x, double y) { return point_on_disc(x, y, place); };
     if (!is_drawn(box)) return;
     svg.polyline(std::array{at(box.x1, box.y0), at(box.x0, box.y0), at(box.x0, box.y1)},
                  {colours::Tree, 0.6});

@@ -38,9 +38,7 @@ constexpr double MostDeviation = 4;
 constexpr plot::Lettering Title = {13, "#111", Anchor::Start, 0};
 constexpr plot::Lettering Small = {11, "#333", Anchor::Start, 0};
 
-Point on_disc(double x, double y) {
-  return TreePlace.corner + Point((1 + x) / 2 * TreePlace.width, (1 - y) / 2 * TreePlace.height);
-}
+Point on_disc(double x, double y) { return point_on_disc(x, y, TreePlace); }
 
 Point centre() { return on_disc(0, 0); }
 
@@ -269,9 +267,7 @@ void draw_lobe_panel(const SubdivisionSubject& subject, const StudyContext& cont
     clouds.front().positions.push_back(scaled(point.direction, point.f));
   const HemisphereView view(subject.settings.azimuth, subject.settings.elevation, LobePlace);
   draw_lobe(mesh, Grid, LobeColour, clouds, view, svg);
-  draw_direction({0, 0, 1}, "n", "2 3", view, svg);
-  draw_direction(subject.viewed.u, "view", "", view, svg);
-  draw_direction(reflectance::mirrored(subject.viewed.u), "mirror", "6 3", view, svg);
+  draw_view_directions(subject.viewed.u, view, svg);
   if (const SampledPoint* sample = shown_sample(subject)) {
     const Point dot = view.point(scaled(sample->direction, sample->f));
     svg.dots(std::array{dot}, 4.4, "#fff");
