@@ -8,7 +8,8 @@ namespace editor {
 /// Which parts of the scene an edit, undo or redo touched, so that views update only these. If
 /// `is_structural`, anything may differ and objects are renumbered; else the other members are complete.
 struct Change {
-  bool is_structural = false;         ///< objects were added, removed, moved, or have another geometry
+  bool is_structural = false;         ///< objects were added, removed, or have another geometry
+  bool transforms = false;            ///< objects were moved, rotated or scaled
   bool definitions = false;           ///< colours, BRDFs, PDFs or textures of a name differ
   bool lights = false;                ///< area lights or observers differ
   bool names = false;                 ///< names of meshes differ, in the same order of objects

@@ -36,11 +36,15 @@ grf::Scene moved(grf::Scene scene, const QString& from, const QString& to) {
 /// elsewhere.
 class Document::Step : public QUndoCommand {
  public:
-  Step(Document& document, const QString& text, ScenePatch patch, QString key)
+  /// Selects other objects after the step, if there are some.
+  Step(Document& document, const QString& text, ScenePatch patch, QString key,
+       std::optional<std::vector<grf::ScenePath>> objects)
       : QUndoCommand(text),
         document_(document),
         patch_(std::move(patch)),
         selection_(document.selection_),
+        objects_before_(document.selected_objects_),
+        objects_after_(std::move(objects)),
         key_(std::move(key)),
         gesture_(document.gesture_),
         relocations_(document.relocations_.size()) {}
@@ -51,14 +55,14 @@ class Document::Step : public QUndoCommand {
     follow_file();
     const Change change = document_.change_of(patch_);
     patch_.revert(document_.scene_);
-    document_.show_change(change, &*selection_);
+    document_.show_change(change, &*selection_, objects_before_);
     if (takes_plain_sky_) document_.set_background(PlainSky);
   }
   void redo() override {
     follow_file();
     const Change change = document_.change_of(patch_);
     patch_.apply(document_.scene_);
-    document_.show_change(change, nullptr);
+    document_.show_change(change, nullptr, objects_after_);
     takes_plain_sky_ = document_.take_plain_sky();
   }
   bool mergeWith(const QUndoCommand* other) override {
@@ -67,6 +71,7 @@ class Document::Step : public QUndoCommand {
                                     relocations_ == later.relocations_ && selection_ == later.selection_;
     if (!is_of_same_gesture) return false;
     patch_.append(later.patch_);
+    if (later.objects_after_) objects_after_ = later.objects_after_;
     takes_plain_sky_ = takes_plain_sky_ || later.takes_plain_sky_;
     return true;
   }
@@ -82,6 +87,8 @@ class Document::Step : public QUndoCommand {
   Document& document_;
   ScenePatch patch_;
   grf::Shared<FaceSelection> selection_;  // before the step
+  std::vector<grf::ScenePath> objects_before_;
+  std::optional<std::vector<grf::ScenePath>> objects_after_;
   QString key_;
   int gesture_;
   std::size_t relocations_;  // number of relocations that were applied to it
@@ -106,6 +113,7 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   path_ = path;
   diagnostics_ = std::move(diagnostics);
   selection_ = {};
+  selected_objects_.clear();
   relocations_.clear();
   imports_.clear();
   has_plain_sky_ = false;
@@ -193,6 +201,28 @@ void Document::select(FaceSelection selection) {
   emit selection_changed();
 }
 
+void Document::select_objects(std::vector<grf::ScenePath> paths) {
+  std::erase_if(paths, [this](const grf::ScenePath& path) { return block_at(scene_, path) == nullptr; });
+  if (paths == selected_objects_) return;
+  selected_objects_ = std::move(paths);
+  emit selected_objects_changed();
+}
+
+bool Document::transform_selected(const QString& text, const TransformAction& action, const QString& key) {
+  grf::Diagnostics diagnostics;
+  auto edited = transform_objects(scene_, selected_objects_, action, diagnostics);
+  if (!edited) {
+    emit status_message(QString::fromStdString(diagnostics.entries().front().message));
+    return false;
+  }
+  replace_objects(text, std::move(*edited), key);
+  return true;
+}
+
+void Document::replace_objects(const QString& text, TransformedObjects edited, const QString& key) {
+  push(text, ScenePatch::between(scene_, edited.scene), key, std::move(edited.paths));
+}
+
 void Document::replace(const QString& text, grf::Scene scene, const QString& key) {
   grf::Diagnostics diagnostics;
   const std::size_t places = edit_all_places(scene_, scene, diagnostics);
@@ -215,8 +245,9 @@ void Document::tell_of_places(std::size_t places) {
       tr("The edit also applies at %n other place(s) that include the file", nullptr, int(places)));
 }
 
-void Document::push(const QString& text, ScenePatch patch, const QString& key) {
-  if (!patch.empty()) undo_stack_.push(new Step(*this, text, std::move(patch), key));
+void Document::push(const QString& text, ScenePatch patch, const QString& key,
+                    const std::optional<std::vector<grf::ScenePath>>& objects) {
+  if (!patch.empty()) undo_stack_.push(new Step(*this, text, std::move(patch), key, objects));
 }
 
 /// Sets the sky without an undo step, since it is not an edit that needs saving.
@@ -263,11 +294,12 @@ void Document::show(grf::Scene scene) {
   scene_ = std::move(scene);
   Change change;
   change.is_structural = true;
-  show_change(change, nullptr);
+  show_change(change, nullptr, std::nullopt);
 }
 
-/// Selects the given faces, or updates the present selection.
-void Document::show_change(const Change& change, const FaceSelection* selection) {
+/// Selects the given faces and objects, or updates the present selection.
+void Document::show_change(const Change& change, const FaceSelection* selection,
+                           const std::optional<std::vector<grf::ScenePath>>& selected_objects) {
   const std::shared_ptr<const SceneObjects> before = objects_;
   if (change.is_structural) {
     objects_ = std::make_shared<const SceneObjects>(objects_of(scene_, path_.toStdString()));
@@ -284,6 +316,29 @@ void Document::show_change(const Change& change, const FaceSelection* selection)
   }
   emit changed(change);
   if (selects) emit selection_changed();
+  if (selected_objects) {
+    select_objects(*selected_objects);
+  } else if (change.is_structural) {
+    select_objects(objects_carried_over(*before));
+  }
+}
+
+/// The selected objects that have the same meshes and lights at the same paths as before.
+std::vector<grf::ScenePath> Document::objects_carried_over(const SceneObjects& before) const {
+  const auto contents = [](const SceneObjects& objects, const grf::ScenePath& path) {
+    std::vector<const grf::Geometry*> inside;
+    for (const MeshInstance& instance : *objects.instances) {
+      if (is_inside(instance.path, path)) inside.push_back(&*objects.meshes[instance.mesh].mesh->geometry);
+    }
+    for (const LightObject& light : objects.lights) {
+      if (is_inside(light.path, path)) inside.push_back(nullptr);
+    }
+    return inside;
+  };
+  std::vector<grf::ScenePath> carried = selected_objects_;
+  std::erase_if(carried,
+                [&](const auto& path) { return contents(before, path) != contents(*objects_, path); });
+  return carried;
 }
 
 /// Transfers the selection to the new objects. Meshes correspond if they have the same geometry, else if they

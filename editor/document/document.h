@@ -12,6 +12,7 @@
 #include "editor/document/edit_stack.h"
 #include "editor/document/face_selection.h"
 #include "editor/document/import_folder.h"
+#include "editor/document/object_placement.h"
 #include "editor/document/op_document.h"
 #include "editor/document/scene_objects.h"
 #include "editor/document/scene_patch.h"
@@ -44,6 +45,8 @@ class Document : public QObject {
   /// The same, for sharing with views.
   const std::shared_ptr<const SceneObjects>& shared_objects() const { return objects_; }
   const FaceSelection& selection() const { return *selection_; }
+  /// The paths of the selected objects; the last one is the active one. Each leads to a block of the scene.
+  const std::vector<grf::ScenePath>& selected_objects() const { return selected_objects_; }
   /// The file that the scene was read from or saved to; empty if there is none.
   const QString& path() const { return path_; }
   /// The file name for titles; `Untitled` if there is none.
@@ -79,6 +82,8 @@ class Document : public QObject {
   void take_saved(const SaveResult& result);
 
   void select(FaceSelection selection);
+  /// Selects objects; paths that lead to no block are left out.
+  void select_objects(std::vector<grf::ScenePath> paths);
 
   // Each edit is one undo step, unless it changes nothing. Steps with the same key are merged until
   // `finish_gesture`; an empty key never merges. Edits of a file that is included at several places are
@@ -88,6 +93,11 @@ class Document : public QObject {
   void replace(const QString& text, grf::Scene scene, const QString& key = {});
   /// Edits the surfaces of the selected faces. Does nothing if none is selected.
   void edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key = {});
+  /// Transforms the selected objects, which stay selected. Returns false, with a `status_message`, if that
+  /// is not possible.
+  bool transform_selected(const QString& text, const TransformAction& action, const QString& key = {});
+  /// Replaces the scene by one in which the selected objects have other paths.
+  void replace_objects(const QString& text, TransformedObjects edited, const QString& key = {});
   /// Ends the merging of steps: a slider was released.
   void finish_gesture();
 
@@ -96,6 +106,7 @@ class Document : public QObject {
   /// Emitted with a message if an edit changed more than requested, or failed.
   void status_message(const QString& message);
   void selection_changed();
+  void selected_objects_changed();
   void path_changed();
   /// Emitted when another scene was opened, imported, recovered or started.
   void scene_replaced();
@@ -116,18 +127,22 @@ class Document : public QObject {
 
   void set_saved(std::optional<std::uint64_t> revision);
   void tell_of_places(std::size_t places);
-  void push(const QString& text, ScenePatch patch, const QString& key);
+  void push(const QString& text, ScenePatch patch, const QString& key,
+            const std::optional<std::vector<grf::ScenePath>>& objects = std::nullopt);
   void set_background(const grf::Vec3f& radiance);
   void light_by_plain_sky();
   bool take_plain_sky();
   void show(grf::Scene scene);
-  void show_change(const Change& change, const FaceSelection* selection);
+  void show_change(const Change& change, const FaceSelection* selection,
+                   const std::optional<std::vector<grf::ScenePath>>& selected_objects);
   FaceSelection carried_over(const SceneObjects& before) const;
+  std::vector<grf::ScenePath> objects_carried_over(const SceneObjects& before) const;
   Change change_of(const ScenePatch& patch) const;
 
   grf::Scene scene_;
   std::shared_ptr<const SceneObjects> objects_ = std::make_shared<const SceneObjects>();
   grf::Shared<FaceSelection> selection_;
+  std::vector<grf::ScenePath> selected_objects_;
   QString path_;
   grf::Diagnostics diagnostics_;
   ImportFolders imports_;

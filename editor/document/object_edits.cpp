@@ -9,12 +9,11 @@
 #include <fmt/format.h>
 
 #include "editor/document/definitions.h"
+#include "editor/document/object_placement.h"
 #include "editor/document/scene_places.h"
 
 namespace editor {
 namespace {
-
-using Step = grf::TransformStep;
 
 std::optional<grf::Scene> report_missing(grf::Diagnostics& diagnostics) {
   diagnostics.error({}, "there is no object at that place");
@@ -36,46 +35,6 @@ bool remove_observers(grf::Scene& scene, const std::vector<ObserverObject>& obse
     if (params->views.empty()) gone.push_back(path);
   }
   return true;
-}
-
-/// The transform that moves only this block: the one at the path, or its parent. Null if there is none.
-grf::Transform* transform_of(grf::Scene& scene, grf::ScenePath& path) {
-  if (auto* own = content_at<grf::Transform>(scene, path)) return own;
-  const grf::ScenePath around(path.begin(), path.end() - 1);
-  auto* outer = content_at<grf::Transform>(scene, around);
-  if (outer == nullptr || outer->body.blocks.size() != 1) return nullptr;
-  path = around;
-  return outer;
-}
-
-grf::Block wrapped(grf::Block block, const grf::Vec3f& offset) {
-  grf::Transform transform;
-  transform.steps.push_back({Step::Kind::Translation, offset});
-  grf::Block wrapping;
-  wrapping.location = block.location;
-  transform.body.blocks.push_back(std::move(block));
-  wrapping.content = std::move(transform);
-  return wrapping;
-}
-
-/// Converts an offset from world space to the local coordinates of the block at a path.
-grf::Vec3f local_offset(const grf::Scene& scene, grf::ScenePathView path, const grf::Vec3d& offset) {
-  grf::Vec3d local;
-  to_world_at(scene, path).inverse().multDirMatrix(offset, local);
-  return grf::Vec3f(local);
-}
-
-void move(grf::Scene& scene, grf::ScenePath path, const grf::Vec3d& offset) {
-  grf::Transform* transform = transform_of(scene, path);
-  const grf::Vec3f local = local_offset(scene, path, offset);
-  if (transform == nullptr) {
-    grf::Block& block = *grf::find(scene, path).block;
-    block = wrapped(std::move(block), local);
-  } else if (transform->steps.back().kind == Step::Kind::Translation) {
-    transform->steps.back().value += local;
-  } else {
-    transform->steps.push_back({Step::Kind::Translation, local});
-  }
 }
 
 /// The first mesh in a block itself, not in a file that it includes; nothing if there is none.
@@ -109,14 +68,6 @@ void define_mesh(grf::Scene& scene, const grf::ScenePath& path, grf::ScenePath& 
 
 }  // namespace
 
-std::optional<grf::Scene> move_object(const grf::Scene& scene, grf::ScenePathView path,
-                                      const grf::Vec3d& offset, grf::Diagnostics& diagnostics) {
-  if (block_at(scene, path) == nullptr) return report_missing(diagnostics);
-  grf::Scene changed = scene;
-  move(changed, {path.begin(), path.end()}, offset);
-  return changed;
-}
-
 std::optional<grf::Scene> remove_objects(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths,
                                          const std::vector<ObserverObject>& observers,
                                          grf::Diagnostics& diagnostics) {
@@ -143,8 +94,8 @@ std::optional<grf::Scene> duplicate_object(const grf::Scene& scene, grf::ScenePa
   while (const auto mesh = first_mesh_in(*block_at(changed, place), place))
     define_mesh(changed, *mesh, place);
   // A transform with a single child is duplicated with it.
-  grf::ScenePath moved = place;
-  if (transform_of(changed, moved) != nullptr) place = moved;
+  if (grf::ScenePath transform = own_transform(changed, place); !transform.empty())
+    place = std::move(transform);
   grf::ScenePath around = place;
   around.pop_back();
   grf::ScenePath copy = place;
@@ -154,7 +105,7 @@ std::optional<grf::Scene> duplicate_object(const grf::Scene& scene, grf::ScenePa
   const auto here = std::ranges::find_if(blocks, [original = grf::find(changed, place).block](
                                                      const grf::Block& each) { return &each == original; });
   blocks.insert(here + 1, block)->comments = {};
-  move(changed, copy, offset);
+  translate_block(changed, copy, offset);
   return changed;
 }
 

@@ -1,4 +1,4 @@
-// Edits objects of a scene: move, duplicate, rename and delete. Each edit returns a new scene, or nothing
+// Edits objects of a scene: duplicate, rename and delete. Each edit returns a new scene, or nothing
 // with the reason in the diagnostics.
 #pragma once
 
@@ -13,11 +13,6 @@
 #include "grf/scene_path.h"
 
 namespace editor {
-
-/// Translates a block in world space. If it is a transform, or the only child of one, that is changed; else
-/// it gets a new transform, which then is at the path.
-std::optional<grf::Scene> move_object(const grf::Scene& scene, grf::ScenePathView path,
-                                      const grf::Vec3d& offset, grf::Diagnostics& diagnostics);
 
 /// Deletes blocks, definitions without other references, and observers, whose `params` is deleted with the
 /// last of them.

@@ -23,7 +23,10 @@ class Collector {
           objects_.faces += object.mesh->face_count();
           objects_.meshes.push_back(std::move(object));
         },
-        [this](std::uint32_t mesh, const grf::Placement& placement) { place(mesh, placement); });
+        [this](std::uint32_t mesh, const grf::Placement& placement) {
+          place(objects_.meshes[mesh], mesh, placement);
+          objects_.triangles += objects_.meshes[mesh].mesh->geometry->triangle_count();
+        });
     visit_lights(visitor);
     grf::visit(scene, visitor, path_);
     objects_.bounds.extendBy(objects_.mesh_bounds);
@@ -41,10 +44,17 @@ class Collector {
           object.flat_surfaces = flat_surfaces_of(*object.mesh, placement);
           objects.meshes[next_mesh_] = std::move(object);
         },
-        [](std::uint32_t, const grf::Placement&) {});
-    if (change.lights) visit_lights(visitor);
+        [&](std::uint32_t mesh, const grf::Placement& placement) {
+          if (change.transforms) place(objects.meshes[mesh], mesh, placement);
+        });
+    const bool are_lights_changed = change.lights || change.transforms;
+    if (are_lights_changed) visit_lights(visitor);
     grf::visit(scene, visitor, path_);
-    if (!change.lights) return;
+    if (change.transforms) {
+      objects.instances = std::move(instances_);
+      objects.mesh_bounds = objects_.mesh_bounds;
+    }
+    if (!are_lights_changed) return;
     objects.lights = std::move(objects_.lights);
     objects.observers = std::move(objects_.observers);
     objects.bounds = objects_.bounds;
@@ -99,11 +109,9 @@ class Collector {
     };
   }
 
-  void place(std::uint32_t index, const grf::Placement& placement) {
-    const grf::Mesh& mesh = *objects_.meshes[index].mesh;
+  void place(const MeshObject& object, std::uint32_t index, const grf::Placement& placement) {
     instances_.push_back({index, path_of(placement), placement.to_world});
-    objects_.triangles += mesh.geometry->triangle_count();
-    objects_.mesh_bounds.extendBy(mesh.geometry.vertices().bounds_under(placement.to_world));
+    objects_.mesh_bounds.extendBy(object.mesh->geometry.vertices().bounds_under(placement.to_world));
   }
 
   void add_light(const grf::AreaLight& light, const grf::Placement& placement) {

@@ -262,7 +262,10 @@ void add_to(Change& change, const ListPart<grf::Definition>& part) {
   (have_same_names ? change.definitions : change.is_structural) = true;
 }
 
-void add_to(Change& change, const HeadPart&) { change.is_structural = true; }
+void add_to(Change& change, const HeadPart& part) {
+  const bool is_transform = std::holds_alternative<grf::Transform>(part.before.front().content);
+  (is_transform ? change.transforms : change.is_structural) = true;
+}
 
 void add_to(Change&, const ListPart<std::string>&) {}
 

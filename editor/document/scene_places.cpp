@@ -190,6 +190,10 @@ const grf::Mesh* mesh_at(const grf::Scene& scene, grf::ScenePathView path) {
   return mesh == nullptr ? nullptr : &**mesh;
 }
 
+bool is_inside(grf::ScenePathView path, grf::ScenePathView outer) {
+  return path.size() >= outer.size() && std::equal(outer.begin(), outer.end(), path.begin());
+}
+
 bool is_in_include(const grf::Scene& scene, grf::ScenePathView path) {
   const Ancestors ancestors = ancestors_of(scene, path);
   return std::ranges::any_of(ancestors.blocks, [](const grf::Block* block) {

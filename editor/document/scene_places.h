@@ -39,6 +39,8 @@ Content* content_at(grf::Scene& scene, grf::ScenePathView path) {
   const grf::ScenePlace place = grf::find(scene, path);
   return place.block == nullptr ? nullptr : std::get_if<Content>(&place.block->content);
 }
+/// Whether a path is another one, or leads from there to something inside.
+bool is_inside(grf::ScenePathView path, grf::ScenePathView outer);
 /// Whether a path leads into an included file.
 bool is_in_include(const grf::Scene& scene, grf::ScenePathView path);
 

@@ -9,6 +9,7 @@
 #include "editor/document/object_edits.h"
 #include "editor/document/scene_places.h"
 #include "grf/write.h"
+#include "tests/editor/moved_object.h"
 #include "tests/editor/scene_of.h"
 
 namespace editor {
@@ -150,12 +151,12 @@ TEST_F(LightEdits, ObjectsAreMovedInTheWorld) {
   };
   // Twice, by the same path.
   for (int i = 0; i < 2; ++i) {
-    take(move_object(document_.scene(), grf::ScenePath{0, 1, 2}, grf::Vec3d(1, 0, 0), diagnostics_));
+    take(moved_object(document_.scene(), grf::ScenePath{0, 1, 2}, grf::Vec3d(1, 0, 0), diagnostics_));
   }
   EXPECT_EQ(place(0), grf::Vec3d(2, 0, 0));
   EXPECT_THAT(grf::to_text(document_.scene()), HasSubstr("transform translation (1, 0, 0)"));
   EXPECT_EQ(place(1), grf::Vec3d(0));
-  take(move_object(document_.scene(), grf::ScenePath{0, 1}, grf::Vec3d(0, 5, 0), diagnostics_));
+  take(moved_object(document_.scene(), grf::ScenePath{0, 1}, grf::Vec3d(0, 5, 0), diagnostics_));
   EXPECT_EQ(place(0), grf::Vec3d(2, 5, 0));
   EXPECT_THAT(grf::to_text(document_.scene()), HasSubstr("scale (2, 2, 2) translation (0, 5, 0)"));
 }

@@ -56,7 +56,7 @@ bool is_same(const SceneObjects& a, const SceneObjects& b) {
 /// Finds differences that a non-structural change does not announce, so that a view would be out of date.
 std::string unsaid(const Change& change, const SceneObjects& before, const SceneObjects& now) {
   if (change.is_structural) return {};
-  if (!are_same(*before.instances, *now.instances)) return "instances";
+  if (!change.transforms && !are_same(*before.instances, *now.instances)) return "instances";
   if (before.meshes.size() != now.meshes.size()) return "the number of meshes";
   for (std::uint32_t i = 0; i < now.meshes.size(); ++i) {
     const MeshObject& one = before.meshes[i];
@@ -66,8 +66,9 @@ std::string unsaid(const Change& change, const SceneObjects& before, const Scene
     if (!is_told && !change.definitions && !are_same(one.flat_surfaces, other.flat_surfaces)) return "a look";
     if (!change.names && one.name != other.name) return "a name";
   }
-  if (!change.lights && !are_same(before.lights, now.lights)) return "lights";
-  if (!change.lights && !are_same(before.observers, now.observers)) return "observers";
+  const bool are_lights_told = change.lights || change.transforms;
+  if (!are_lights_told && !are_same(before.lights, now.lights)) return "lights";
+  if (!are_lights_told && !are_same(before.observers, now.observers)) return "observers";
   return {};
 }
 

@@ -8,6 +8,7 @@
 #include "editor/document/object_edits.h"
 #include "editor/document/scene_places.h"
 #include "tests/editor/document/random_session.h"
+#include "tests/editor/moved_object.h"
 #include "tests/editor/scene_of.h"
 
 namespace editor {
@@ -42,8 +43,11 @@ void move(RandomSession& session) {
   if (!at) return;
   const grf::Vec3d by = session.offset();
   PlainProject after = session.modelled.state();
-  shift(object_at(after, *at), by, *at);
-  session.replace("Move", move_object(session.modelled.scene(), at->path, by, session.diagnostics), after,
+  // An object of an included file moves with its include.
+  const grf::ScenePath block = moved_block(session.modelled.scene(), at->path);
+  const auto moved = session.place([&](const PlainPlace& each) { return each.path == block; });
+  shift(object_at(after, *moved), by, *moved);
+  session.replace("Move", moved_object(session.modelled.scene(), at->path, by, session.diagnostics), after,
                   session.key("move"));
 }
 

@@ -12,6 +12,7 @@
 #include "editor/document/scene_places.h"
 #include "grf/read.h"
 #include "grf/text_file.h"
+#include "tests/editor/moved_object.h"
 #include "tests/editor/scene_of.h"
 #include "tests/support/small_stack.h"
 #include "tests/support/temporary_folder.h"
@@ -132,7 +133,7 @@ TEST(DeepScenes, CanBeLookedAtAndEditedOnASmallStack) {
     grf::Diagnostics diagnostics;
     grf::Scene same = scene;
     EXPECT_EQ(edit_all_places(scene, same, diagnostics), 0U);
-    const auto moved = move_object(scene, path, grf::Vec3d(0, 1, 0), diagnostics);
+    const auto moved = moved_object(scene, path, grf::Vec3d(0, 1, 0), diagnostics);
     ASSERT_TRUE(moved) << diagnostics.to_text();
     EXPECT_EQ(objects_of(*moved, "scene.grf").bounds.min.y, 1);
     const auto two = duplicate_object(scene, path, grf::Vec3d(0, 1, 0), diagnostics);

@@ -93,7 +93,8 @@ TEST(ScenePatch, SaysWhatItChanges) {
   EXPECT_TRUE(change(2, 3).names);
   EXPECT_FALSE(change(2, 3).is_structural) << "a name alone";
   EXPECT_TRUE(change(3, 4).is_structural) << "other faces";
-  EXPECT_TRUE(change(8, 9).is_structural) << "a transform";
+  EXPECT_TRUE(change(8, 9).transforms);
+  EXPECT_FALSE(change(8, 9).is_structural) << "other steps of a transform";
   EXPECT_TRUE(change(11, 12).definitions);
   EXPECT_FALSE(change(11, 12).is_structural);
   EXPECT_TRUE(change(12, 13).is_structural) << "a definition came";

@@ -19,6 +19,7 @@
 #include "grf/read.h"
 #include "grf/topology.h"
 #include "grf/write.h"
+#include "tests/editor/moved_object.h"
 #include "tests/support/temporary_folder.h"
 
 namespace editor {
@@ -148,7 +149,7 @@ TEST(ThreadsOfAnEditor, ReadStatesThatStayAsTheyWere) {
       grf::Diagnostics diagnostics;
       const grf::ScenePath box = {0, 3};
       edited.paint(i, i % 4 == 3);
-      if (i % 10 == 0) edited.replace(move_object(edited.scene(), box, grf::Vec3d(1, 0, 0), diagnostics));
+      if (i % 10 == 0) edited.replace(moved_object(edited.scene(), box, grf::Vec3d(1, 0, 0), diagnostics));
       if (i % 10 == 5)
         edited.replace(rename_object(edited.scene(), {{0, 0}}, "red" + std::to_string(i), diagnostics));
       saving.give(edited.state());
