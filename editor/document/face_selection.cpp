@@ -180,6 +180,19 @@ void FaceSelection::remove(const FaceSelection& other) {
   }
 }
 
+grf::Box3d bounds_of(const SceneObjects& objects, const FaceSelection& selection) {
+  grf::Box3d box;
+  for (const MeshInstance& instance : *objects.instances) {
+    const grf::Mesh& mesh = *objects.meshes[instance.mesh].mesh;
+    selection.for_each_face(instance.mesh, [&](std::size_t face) {
+      for (const std::uint32_t corner : mesh.face(face)) {
+        box.extendBy(grf::Vec3d(mesh.geometry->positions[corner]) * instance.to_world);
+      }
+    });
+  }
+  return box;
+}
+
 std::vector<bool> selected_surfaces(const SceneObjects& objects, const FaceSelection& selection,
                                     std::uint32_t mesh) {
   const grf::Mesh& of_selection = *objects.meshes[mesh].mesh;

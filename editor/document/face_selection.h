@@ -67,6 +67,9 @@ class FaceSelection {
   std::size_t count_ = 0;
 };
 
+/// The bounds of the selected faces in world space, in all instances; empty if there are none.
+grf::Box3d bounds_of(const SceneObjects& objects, const FaceSelection& selection);
+
 /// Flags the surfaces of a mesh that selected faces have.
 std::vector<bool> selected_surfaces(const SceneObjects& objects, const FaceSelection& selection,
                                     std::uint32_t mesh);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 #include <variant>
@@ -114,20 +115,21 @@ class StepsEdit {
   std::vector<grf::ScenePath>& paths_;
 };
 
-/// The blocks that move with these objects: none is inside another one.
-std::vector<grf::ScenePath> moved_blocks(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths) {
-  std::vector<grf::ScenePath> moved;
-  for (const grf::ScenePath& path : paths) {
-    grf::ScenePath block = moved_block(scene, path);
-    const grf::ScenePath transform = own_transform(scene, block);
-    moved.push_back(transform.empty() ? std::move(block) : transform);
+/// Changes the steps of each block, and returns the scene with the paths of the objects in it.
+template <class Change>
+TransformedObjects with_steps(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths,
+                              const std::vector<grf::ScenePath>& blocks, const Change& change) {
+  TransformedObjects result{scene, paths};
+  // The blocks' own paths change as those of the objects do.
+  std::vector<grf::ScenePath> all = paths;
+  all.insert(all.end(), blocks.begin(), blocks.end());
+  StepsEdit edit(result.scene, all);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    edit.apply(grf::ScenePath(all[paths.size() + i]),
+               [&](TransformSteps& steps, const Matrix44d& to_world) { change(i, steps, to_world); });
   }
-  std::ranges::sort(moved);
-  std::vector<grf::ScenePath> outermost;
-  for (grf::ScenePath& path : moved) {
-    if (outermost.empty() || !is_inside(path, outermost.back())) outermost.push_back(std::move(path));
-  }
-  return outermost;
+  std::copy_n(all.begin(), paths.size(), result.paths.begin());
+  return result;
 }
 
 bool report_invalid(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths,
@@ -176,6 +178,32 @@ grf::Box3d bounds_in(const SceneObjects& objects, grf::ScenePathView path, const
   return box;
 }
 
+/// Translates each object along an axis by a distance of its own.
+std::optional<TransformedObjects> translate_each(const grf::Scene& scene,
+                                                 const std::vector<grf::ScenePath>& paths, int axis,
+                                                 const std::map<grf::ScenePath, double>& distances,
+                                                 grf::Diagnostics& diagnostics) {
+  if (report_invalid(scene, paths, diagnostics)) return std::nullopt;
+  std::vector<grf::ScenePath> blocks;
+  std::vector<double> of_blocks;
+  for (const auto& [block, distance] : distances) {
+    blocks.push_back(block);
+    of_blocks.push_back(distance);
+  }
+  return with_steps(scene, paths, blocks,
+                    [&](std::size_t i, TransformSteps& steps, const Matrix44d& to_world) {
+                      TransformAction action;
+                      action.value[axis] = of_blocks[i];
+                      append(steps, action, to_world);
+                    });
+}
+
+double aligned_place(const grf::Box3d& box, int axis, Alignment alignment) {
+  if (alignment == Alignment::Minimum) return box.min[axis];
+  if (alignment == Alignment::Maximum) return box.max[axis];
+  return box.center()[axis];
+}
+
 /// The centre of an object: that of its bounds in its own coordinates, so that turning it keeps the centre.
 Vec3d centre_of(const grf::Scene& scene, const SceneObjects& objects, const grf::ScenePath& path) {
   const Matrix44d to_world = object_to_world(scene, path);
@@ -208,18 +236,10 @@ std::optional<TransformedObjects> transform_objects(const grf::Scene& scene,
                                                     grf::Diagnostics& diagnostics) {
   if (report_invalid(scene, paths, diagnostics)) return std::nullopt;
   if (action.kind == Kind::Scale && has_zero(action.value) && report_zero(diagnostics)) return std::nullopt;
-  TransformedObjects result{scene, paths};
-  // The blocks' own paths change as those of the objects do.
-  const std::vector<grf::ScenePath> blocks = moved_blocks(scene, paths);
-  std::vector<grf::ScenePath> all = paths;
-  all.insert(all.end(), blocks.begin(), blocks.end());
-  StepsEdit edit(result.scene, all);
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    edit.apply(grf::ScenePath(all[paths.size() + i]),
-               [&](TransformSteps& steps, const Matrix44d& to_world) { append(steps, action, to_world); });
-  }
-  std::copy_n(all.begin(), paths.size(), result.paths.begin());
-  return result;
+  return with_steps(scene, paths, moved_blocks(scene, paths),
+                    [&](std::size_t, TransformSteps& steps, const Matrix44d& to_world) {
+                      append(steps, action, to_world);
+                    });
 }
 
 grf::ScenePath own_transform(const grf::Scene& scene, grf::ScenePathView path) {
@@ -232,6 +252,75 @@ grf::ScenePath own_transform(const grf::Scene& scene, grf::ScenePathView path) {
   const auto* outer = parent != nullptr ? std::get_if<grf::Transform>(&parent->content) : nullptr;
   if (outer == nullptr || outer->body.blocks.size() != 1) return {};
   return {around.begin(), around.end()};
+}
+
+std::vector<grf::ScenePath> moved_blocks(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths) {
+  std::vector<grf::ScenePath> moved;
+  for (const grf::ScenePath& path : paths) {
+    grf::ScenePath block = moved_block(scene, path);
+    const grf::ScenePath transform = own_transform(scene, block);
+    moved.push_back(transform.empty() ? std::move(block) : transform);
+  }
+  std::ranges::sort(moved);
+  std::vector<grf::ScenePath> outermost;
+  for (grf::ScenePath& path : moved) {
+    if (outermost.empty() || !is_inside(path, outermost.back())) outermost.push_back(std::move(path));
+  }
+  return outermost;
+}
+
+std::optional<TransformedObjects> align_objects(const grf::Scene& scene, const SceneObjects& objects,
+                                                const std::vector<grf::ScenePath>& paths, int axis,
+                                                Alignment alignment, grf::Diagnostics& diagnostics) {
+  if (paths.empty()) return std::nullopt;
+  const grf::ScenePath active = moved_blocks(scene, {paths.back()}).front();
+  const grf::Box3d target = object_bounds(objects, active);
+  std::map<grf::ScenePath, double> distances;
+  for (const grf::ScenePath& block : moved_blocks(scene, paths)) {
+    const grf::Box3d box = object_bounds(objects, block);
+    if (box.isEmpty() || target.isEmpty()) continue;
+    const double way = aligned_place(target, axis, alignment) - aligned_place(box, axis, alignment);
+    distances[block] = shortest_near(way, 1e-6 * target.size().length());
+  }
+  return translate_each(scene, paths, axis, distances, diagnostics);
+}
+
+std::optional<TransformedObjects> distribute_objects(const grf::Scene& scene, const SceneObjects& objects,
+                                                     const std::vector<grf::ScenePath>& paths, int axis,
+                                                     grf::Diagnostics& diagnostics) {
+  std::vector<std::pair<double, grf::ScenePath>> centres;
+  for (const grf::ScenePath& block : moved_blocks(scene, paths)) {
+    const grf::Box3d box = object_bounds(objects, block);
+    if (!box.isEmpty()) centres.emplace_back(box.center()[axis], block);
+  }
+  std::ranges::sort(centres);
+  std::map<grf::ScenePath, double> distances;
+  for (std::size_t i = 1; i + 1 < centres.size(); ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(centres.size() - 1);
+    const double length = centres.back().first - centres.front().first;
+    const double way = centres.front().first + part * length - centres[i].first;
+    distances[centres[i].second] = shortest_near(way, 1e-6 * length);
+  }
+  return translate_each(scene, paths, axis, distances, diagnostics);
+}
+
+std::optional<TransformedObjects> drop_to_floor(const grf::Scene& scene, const SceneObjects& objects,
+                                                const std::vector<grf::ScenePath>& paths,
+                                                grf::Diagnostics& diagnostics) {
+  std::map<grf::ScenePath, double> distances;
+  for (const grf::ScenePath& block : moved_blocks(scene, paths)) {
+    const grf::Box3d box = object_bounds(objects, block);
+    if (!box.isEmpty()) distances[block] = -box.min.y;
+  }
+  return translate_each(scene, paths, 1, distances, diagnostics);
+}
+
+std::optional<TransformedObjects> reset_transforms(const grf::Scene& scene,
+                                                   const std::vector<grf::ScenePath>& paths,
+                                                   grf::Diagnostics& diagnostics) {
+  if (report_invalid(scene, paths, diagnostics)) return std::nullopt;
+  return with_steps(scene, paths, moved_blocks(scene, paths),
+                    [](std::size_t, TransformSteps& steps, const Matrix44d&) { steps.clear(); });
 }
 
 void translate_block(grf::Scene& scene, const grf::ScenePath& path, const grf::Vec3d& offset) {
@@ -248,22 +337,21 @@ ObjectTransform object_transform_at(const grf::Scene& scene, grf::ScenePathView 
   return transform.empty() ? ObjectTransform() : object_transform_of(steps_at(scene, transform));
 }
 
-std::optional<TransformedObjects> set_object_transform(const grf::Scene& scene, const grf::ScenePath& path,
+std::optional<TransformedObjects> set_object_transform(const grf::Scene& scene,
+                                                       const std::vector<grf::ScenePath>& paths,
                                                        const ObjectTransform& transform,
                                                        grf::Diagnostics& diagnostics) {
-  if (report_invalid(scene, {path}, diagnostics)) return std::nullopt;
+  if (report_invalid(scene, {paths.back()}, diagnostics)) return std::nullopt;
   if (has_zero(transform.scale) && report_zero(diagnostics)) return std::nullopt;
-  TransformedObjects result{scene, {path}};
-  const ObjectTransform now = object_transform_at(scene, path);
-  StepsEdit edit(result.scene, result.paths);
-  edit.apply(moved_block(scene, path), [&](TransformSteps& steps, const Matrix44d&) {
-    if (now.rotation == transform.rotation && now.scale == transform.scale) {
-      translate(steps, transform.position - now.position);
-    } else {
-      steps = steps_of(transform);
-    }
-  });
-  return result;
+  const ObjectTransform now = object_transform_at(scene, paths.back());
+  return with_steps(scene, paths, {moved_block(scene, paths.back())},
+                    [&](std::size_t, TransformSteps& steps, const Matrix44d&) {
+                      if (now.rotation == transform.rotation && now.scale == transform.scale) {
+                        translate(steps, transform.position - now.position);
+                      } else {
+                        steps = steps_of(transform);
+                      }
+                    });
 }
 
 grf::ScenePath moved_block(const grf::Scene& scene, grf::ScenePathView path) {

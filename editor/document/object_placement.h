@@ -41,10 +41,33 @@ std::optional<TransformedObjects> transform_objects(const grf::Scene& scene,
 
 /// The transform of an object relative to its parent; the identity if it has none.
 ObjectTransform object_transform_at(const grf::Scene& scene, grf::ScenePathView path);
-/// Sets the transform of an object relative to its parent.
-std::optional<TransformedObjects> set_object_transform(const grf::Scene& scene, const grf::ScenePath& path,
+/// Sets the transform of the last of the objects relative to its parent.
+std::optional<TransformedObjects> set_object_transform(const grf::Scene& scene,
+                                                       const std::vector<grf::ScenePath>& paths,
                                                        const ObjectTransform& transform,
                                                        grf::Diagnostics& diagnostics);
+
+/// The blocks that move with these objects, sorted: none is inside another one.
+std::vector<grf::ScenePath> moved_blocks(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths);
+
+enum class Alignment { Minimum, Centre, Maximum };
+/// Translates objects along an axis, 0 to 2, so that their bounds agree with those of the last one.
+std::optional<TransformedObjects> align_objects(const grf::Scene& scene, const SceneObjects& objects,
+                                                const std::vector<grf::ScenePath>& paths, int axis,
+                                                Alignment alignment, grf::Diagnostics& diagnostics);
+/// Translates objects along an axis so that the centres of their bounds are equally far apart, between the
+/// first and the last one along it.
+std::optional<TransformedObjects> distribute_objects(const grf::Scene& scene, const SceneObjects& objects,
+                                                     const std::vector<grf::ScenePath>& paths, int axis,
+                                                     grf::Diagnostics& diagnostics);
+/// Translates each object vertically so that its lowest point is at y = 0.
+std::optional<TransformedObjects> drop_to_floor(const grf::Scene& scene, const SceneObjects& objects,
+                                                const std::vector<grf::ScenePath>& paths,
+                                                grf::Diagnostics& diagnostics);
+/// Removes the transforms of objects.
+std::optional<TransformedObjects> reset_transforms(const grf::Scene& scene,
+                                                   const std::vector<grf::ScenePath>& paths,
+                                                   grf::Diagnostics& diagnostics);
 
 /// Translates a block in world space, also one of an included file.
 void translate_block(grf::Scene& scene, const grf::ScenePath& path, const grf::Vec3d& offset);

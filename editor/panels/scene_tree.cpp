@@ -61,6 +61,7 @@ SceneTree::SceneTree(Document& document, QWidget* parent)
           [this](const QString& text) { show_or_hide(problem_, text); });
   connect(&document_, &Document::selection_changed, this, &SceneTree::show_selection);
   connect(&document_, &Document::changed, this, &SceneTree::show_selection);
+  connect(&document_, &Document::selected_objects_changed, this, &SceneTree::show_selected_objects);
   show_selection();
 }
 
@@ -153,6 +154,11 @@ void SceneTree::select_faces_of_chosen() {
   }
   const grf::ScenePath path = entries.size() == 1 ? entries.front()->path : grf::ScenePath();
   document_.select(std::move(selection));
+  std::vector<grf::ScenePath> objects;
+  for (const SceneEntry* entry : entries) {
+    if (entry->kind != SceneEntry::Kind::Group && !entry->is_definition()) objects.push_back(entry->path);
+  }
+  document_.select_objects(std::move(objects));
   show_or_hide(problem_, {});
   emit chosen(path);
 }
@@ -175,6 +181,24 @@ void SceneTree::show_selection() {
   view_->scrollTo(first);
   view_->selectionModel()->setCurrentIndex(first,
                                            QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+}
+
+/// Selects the items of objects that were selected elsewhere.
+void SceneTree::show_selected_objects() {
+  if (is_selecting_ || document_.selected_objects().empty()) return;
+  const QScopedValueRollback guard(is_selecting_, true);
+  QItemSelection rows;
+  QModelIndex active;
+  for (const grf::ScenePath& path : document_.selected_objects()) {
+    const QModelIndex index = filter_->mapFromSource(model_->index_at(path));
+    if (!index.isValid()) continue;
+    rows.select(index, index);
+    active = index;
+  }
+  if (!active.isValid()) return;
+  view_->scrollTo(active);
+  view_->selectionModel()->setCurrentIndex(active, QItemSelectionModel::NoUpdate);
+  view_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }
 
 void SceneTree::show_search() {

@@ -45,6 +45,7 @@ class SceneTree : public QWidget {
   void update_actions();
   void select_faces_of_chosen();
   void show_selection();
+  void show_selected_objects();
   void show_search();
   void rename_chosen();
   void duplicate_chosen();

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "editor/view/screen_geometry.h"
+
 namespace editor {
 namespace {
 
@@ -83,19 +85,6 @@ void add_camera(const transport::View& view, double aspect, double size, std::ve
   }
   handles.push_back(std::move(eye_handle));
   handles.push_back(std::move(target));
-}
-
-/// Pixel coordinates from the upper left.
-std::optional<Vec2d> pixel_of(const Vec3d& point, const ViewCamera& camera, const Vec2d& size) {
-  const auto place = camera.place_of(point, size.x / size.y);
-  if (!place) return std::nullopt;
-  return Vec2d((0.5 + 0.5 * place->x) * size.x, (0.5 - 0.5 * place->y) * size.y);
-}
-
-double distance_to_line(const Vec2d& p, const Vec2d& a, const Vec2d& b) {
-  const Vec2d along = b - a;
-  const double t = along.length2() > 0 ? std::clamp((p - a).dot(along) / along.length2(), 0.0, 1.0) : 0;
-  return (a + along * t - p).length();
 }
 
 /// The distance from a pixel to a handle, or infinity if it is too far.

@@ -11,6 +11,7 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/view/region_selection.h"
+#include "editor/view/screen_geometry.h"
 #include "editor/view/view_overlay.h"
 
 namespace editor {
@@ -65,6 +66,7 @@ SceneView::SceneView(QWidget* parent, const GraphicsDriver& driver, const ImageP
 
 void SceneView::show(std::shared_ptr<const SceneObjects> objects) {
   cancel_gesture();
+  moved_.reset();
   objects_ = std::move(objects);
   if (!has_as_many_faces(*objects_, *selection_)) {
     selection_ = std::make_shared<const FaceSelection>(*objects_);
@@ -77,6 +79,12 @@ void SceneView::show(std::shared_ptr<const SceneObjects> objects) {
     }
   }
   textures_.set_paths(paths);
+  place_handles();
+  draw();
+}
+
+void SceneView::show_moved(std::shared_ptr<const SceneObjects> objects) {
+  moved_ = std::move(objects);
   place_handles();
   draw();
 }
@@ -99,16 +107,7 @@ void SceneView::frame(const grf::Box3d& box) {
 
 void SceneView::frame_selection() {
   if (selection_->empty()) return frame_all();
-  grf::Box3d box;
-  for (const MeshInstance& instance : *objects_->instances) {
-    const grf::Mesh& mesh = *objects_->meshes[instance.mesh].mesh;
-    selection_->for_each_face(instance.mesh, [&](std::size_t face) {
-      for (const std::uint32_t corner : mesh.face(face)) {
-        box.extendBy(grf::Vec3d(mesh.geometry->positions[corner]) * instance.to_world);
-      }
-    });
-  }
-  frame(box);
+  frame(bounds_of(*objects_, *selection_));
 }
 
 void SceneView::set_mode(DisplayMode mode) {
@@ -141,7 +140,8 @@ void SceneView::set_render_camera(const std::optional<transport::View>& camera, 
 
 void SceneView::place_handles() {
   const double size = objects_->bounds.isEmpty() ? 0.2 : objects_->bounds.size().length() / 30;
-  handles_.set_handles(handles_of(*objects_, render_camera_, render_aspect_, std::max(size, 1e-6)));
+  handles_.set_handles(
+      handles_of(moved_ ? *moved_ : *objects_, render_camera_, render_aspect_, std::max(size, 1e-6)));
 }
 
 bool SceneView::is_full() const {
@@ -204,7 +204,7 @@ void SceneView::draw() {
 ViewState SceneView::state() const {
   ViewState state;
   state.number = number_;
-  state.objects = objects_;
+  state.objects = moved_ ? moved_ : objects_;
   state.selection = selection_;
   state.shapes = geometry_.shapes();
   state.textures = textures_.textures();
@@ -214,6 +214,7 @@ ViewState SceneView::state() const {
   state.colours = view_colours(palette());
   if (has_grid_) add_grid(ground_grid(objects_->bounds), camera(), height(), palette(), state.overlay);
   add_handles(handles_, camera(), window_size(), palette(), state.overlay);
+  if (gizmo_) state.overlay.push_back({gizmo_(camera(), window_size()), 2, 0, true});
   return state;
 }
 
@@ -259,7 +260,7 @@ void SceneView::changeEvent(QEvent* event) {
 // Picking
 
 grf::Vec2d SceneView::place_at(const QPointF& pixel) const {
-  return {2 * pixel.x() / window_size().x - 1, 1 - 2 * pixel.y() / window_size().y};
+  return place_of_pixel(to_vector(pixel), window_size());
 }
 
 std::optional<SceneHit> SceneView::hit_at(const QPointF& pixel) const {
@@ -374,6 +375,7 @@ void SceneView::end_handle() {
   const SceneHandle handle = handles_.end(!is_click_);
   draw();
   if (!is_click_) emit object_moved(handle.id, handle.position);
+  if (is_click_ && !handle.id.path.empty()) emit objects_picked({handle.id.path}, Qt::NoModifier);
 }
 
 void SceneView::end_region(Qt::KeyboardModifiers modifiers) {
@@ -389,7 +391,13 @@ void SceneView::take_region(const FaceSelection& selected, std::int64_t state) {
   if (!pending_region_ || pending_region_->state != state) return;
   const PendingRegion order = *std::exchange(pending_region_, std::nullopt);
   // Nothing is selected if the scene was replaced meanwhile.
-  if (order.objects == objects_) make_selection(selected, order.modifiers);
+  if (order.objects != objects_) return;
+  make_selection(selected, order.modifiers);
+  std::vector<grf::ScenePath> picked;
+  for (const MeshInstance& instance : *objects_->instances) {
+    if (selected.count(instance.mesh) > 0) picked.push_back(instance.path);
+  }
+  emit objects_picked(picked, order.modifiers);
 }
 
 void SceneView::click(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
@@ -399,6 +407,9 @@ void SceneView::click(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
   // A click on the background with a modifier changes nothing.
   if (!hit && modifiers != Qt::NoModifier) return;
   make_selection(std::move(made), modifiers);
+  std::vector<grf::ScenePath> picked;
+  if (hit) picked.push_back((*objects_->instances)[hit->instance].path);
+  emit objects_picked(picked, modifiers);
 }
 
 void SceneView::toggle_middle() {

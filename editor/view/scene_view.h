@@ -3,6 +3,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -44,6 +45,12 @@ class SceneView : public QWidget {
   void show(std::shared_ptr<const SceneObjects> objects);
   const std::shared_ptr<const SceneObjects>& shared_objects() const { return objects_; }
   const SceneObjects& objects() const { return *objects_; }
+  /// Draws these objects in place of the scene's, while a gesture moves some of them; null ends that.
+  void show_moved(std::shared_ptr<const SceneObjects> objects);
+  /// Sets what draws lines in front of the scene, in pixels of the window.
+  using GizmoLines =
+      std::function<std::vector<OverlayLine>(const ViewCamera& camera, const grf::Vec2d& size)>;
+  void set_gizmo(const GizmoLines& lines) { gizmo_ = lines; }
   /// Sets the selection, which belongs to the shown objects.
   void set_selection(const FaceSelection& selection);
   const FaceSelection& selection() const { return *selection_; }
@@ -68,6 +75,11 @@ class SceneView : public QWidget {
   /// Sets the render camera and its image's aspect ratio; without a camera none is drawn.
   void set_render_camera(const std::optional<transport::View>& camera, double aspect = 1.25);
 
+  /// The size of the window in logical pixels.
+  grf::Vec2d window_size() const;
+  /// Draws a new image soon.
+  void draw();
+
   /// Whether the image is in full detail and antialiased, and nothing is being loaded.
   bool is_complete() const;
   /// Whether the image of the current scene is in full detail, perhaps not antialiased yet.
@@ -81,6 +93,8 @@ class SceneView : public QWidget {
 
  signals:
   void selection_made(const editor::FaceSelection& selection);
+  /// Emitted with the objects under a click, in a box or in a lasso; the modifiers are those of the pointer.
+  void objects_picked(const std::vector<grf::ScenePath>& paths, Qt::KeyboardModifiers modifiers);
   void camera_moved();
   /// Emitted once a dragged object is released, with its new SceneHandle::position. An AreaLight's new corner
   /// is `position * to_world.inverse()`.
@@ -118,11 +132,9 @@ class SceneView : public QWidget {
   };
 
   // Display
-  void draw();
   ViewState state() const;
   FrameRequest request() const;
   QSize picture_size() const;
-  grf::Vec2d window_size() const;
   double aspect() const { return window_size().x / window_size().y; }
   grf::Box3d drawn_bounds() const;
   void place_handles();
@@ -147,11 +159,13 @@ class SceneView : public QWidget {
   void make_selection(FaceSelection made, Qt::KeyboardModifiers modifiers);
 
   std::shared_ptr<const SceneObjects> objects_;  // never null, as the selection
+  std::shared_ptr<const SceneObjects> moved_;    // drawn in their place, if any
   std::shared_ptr<const FaceSelection> selection_;
   GeometryStore geometry_;
   TextureStore textures_;
   CameraNavigation navigation_;
   HandleGesture handles_;
+  GizmoLines gizmo_;
   RegionGesture region_;
   ViewStyle style_;  // without colours
   bool has_grid_ = true;

@@ -15,17 +15,17 @@ QColor with_alpha(QColor colour, double alpha) {
   return colour;
 }
 
-QColor axis_colour(int axis) {
-  static constexpr std::array<QRgb, 3> Colours = {0xffe0524b, 0xff6aa84f, 0xff4a86e8};
-  return QColor::fromRgb(Colours[static_cast<std::size_t>(axis)]);
-}
-
 QColor handle_colour(HandleKind kind, Theme theme) {
   if (kind == HandleKind::Light) return colours_of(theme).warning;
   return series_colour(theme, kind == HandleKind::Observer ? 2 : 1);
 }
 
 }  // namespace
+
+QColor axis_colour(int axis) {
+  static constexpr std::array<QRgb, 3> Colours = {0xffe0524b, 0xff6aa84f, 0xff4a86e8};
+  return QColor::fromRgb(Colours[static_cast<std::size_t>(axis)]);
+}
 
 ViewColours view_colours(const QPalette& palette) {
   const Theme theme = theme_of(palette);

@@ -11,6 +11,8 @@
 namespace editor {
 
 ViewColours view_colours(const QPalette& palette);
+/// The colour of the x, y or z axis.
+QColor axis_colour(int axis);
 
 /// A square grid on the plane y = 0 about the origin, with a power of ten as its step.
 struct GroundGrid {

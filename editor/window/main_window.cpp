@@ -22,6 +22,7 @@
 #include "editor/controls/notice_bar.h"
 #include "editor/panels/light_panel.h"
 #include "editor/panels/message_panel.h"
+#include "editor/panels/object_panel.h"
 #include "editor/panels/scene_tree.h"
 #include "editor/panels/surface_panel.h"
 #include "editor/rendering/render_panel.h"
@@ -32,6 +33,7 @@
 #include "editor/window/image_controller.h"
 #include "editor/window/job_panel.h"
 #include "editor/window/mesh_actions.h"
+#include "editor/window/object_actions.h"
 #include "editor/window/pages.h"
 #include "editor/window/recovery_controller.h"
 #include "editor/window/render_controller.h"
@@ -64,6 +66,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   brdf_controller_ = new BrdfController(document_, *brdf_editor_, this);
   view_actions_ = new ViewActions(*view_, *this);
   selection_actions_ = new SelectionActions(document_, *view_, *this);
+  object_actions_ = new ObjectActions(document_, *view_, *this);
   mesh_actions_ = new MeshActions(document_, jobs_, *this);
   lay_out();
   make_menus();
@@ -93,6 +96,8 @@ void MainWindow::lay_out() {
   bar->addSeparator();
   selection_actions_->fill(*bar);
   bar->addSeparator();
+  object_actions_->fill(*bar);
+  bar->addSeparator();
   render_controller_->fill(*bar);
   bar->addSeparator();
   bar->addAction(render_->preview_action());
@@ -114,6 +119,7 @@ void MainWindow::make_docks() {
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   tree_ = new SceneTree(document_);
   lights_ = new LightPanel(document_);
+  object_ = new ObjectPanel(document_);
   surface_ = new SurfacePanel(document_, catalogue_);
   brdf_editor_ = new BrdfEditor;
   render_ = new RenderPanel(document_, jobs_);
@@ -124,6 +130,9 @@ void MainWindow::make_docks() {
   QDockWidget* lights = docks_.add({"lights", tr("Lights"), "light", QKeySequence("Ctrl+2"),
                                     tr("Area lights, mesh lights and emissive faces of the scene")},
                                    Qt::LeftDockWidgetArea, lights_);
+  QDockWidget* object = docks_.add({"object", tr("Object"), "transform", QKeySequence("Ctrl+9"),
+                                    tr("Position, rotation and scale of the selected object")},
+                                   Qt::LeftDockWidgetArea, object_);
   QDockWidget* surface =
       docks_.add({"surface", tr("Surface"), "texture", QKeySequence("Ctrl+3"),
                   tr("Surface of the selected faces: BRDF, colour, texture, emission, normals")},
@@ -142,6 +151,8 @@ void MainWindow::make_docks() {
                           tr("Running and queued jobs, such as imports and renders")},
                          Qt::BottomDockWidgetArea, new JobPanel(jobs_));
   splitDockWidget(tree, lights, Qt::Vertical);
+  tabifyDockWidget(lights, object);
+  lights->raise();
   splitDockWidget(surface, brdf_dock_, Qt::Vertical);
   tabifyDockWidget(render_dock_, message_dock_);
   tabifyDockWidget(message_dock_, job_dock_);
@@ -178,6 +189,7 @@ void MainWindow::connect_panels() {
   connect(&brdf_editor_->sphere(), &LiveSphere::warned, messages_, &MessagePanel::add_warning);
   connect(mesh_actions_, &MeshActions::status_message, this, &MainWindow::show_status);
   connect(mesh_actions_, &MeshActions::failed, this, &MainWindow::fail);
+  connect(object_actions_, &ObjectActions::status_message, this, &MainWindow::show_status);
   connect(view_controller_, &ViewController::failed, this, &MainWindow::fail);
   connect(view_controller_, &ViewController::status_message, this, &MainWindow::show_status);
   connect(brdf_controller_, &BrdfController::failed, this, &MainWindow::fail);

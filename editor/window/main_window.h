@@ -23,6 +23,8 @@ class ImageController;
 class LightPanel;
 class MeshActions;
 class MessagePanel;
+class ObjectActions;
+class ObjectPanel;
 class NoticeBar;
 class Pages;
 class RecoveryController;
@@ -111,6 +113,7 @@ class MainWindow : public QMainWindow {
   StatusLine* status_;
   SceneTree* tree_ = nullptr;
   LightPanel* lights_ = nullptr;
+  ObjectPanel* object_ = nullptr;
   SurfacePanel* surface_ = nullptr;
   BrdfEditor* brdf_editor_ = nullptr;
   RenderPanel* render_ = nullptr;
@@ -124,6 +127,7 @@ class MainWindow : public QMainWindow {
   BrdfController* brdf_controller_ = nullptr;
   ViewActions* view_actions_ = nullptr;
   SelectionActions* selection_actions_ = nullptr;
+  ObjectActions* object_actions_ = nullptr;
   MeshActions* mesh_actions_ = nullptr;
   BakeController* bake_;
   RecoveryController* recovery_;

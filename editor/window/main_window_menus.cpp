@@ -22,6 +22,7 @@
 #include "editor/window/file_actions.h"
 #include "editor/window/main_window.h"
 #include "editor/window/mesh_actions.h"
+#include "editor/window/object_actions.h"
 #include "editor/window/render_controller.h"
 #include "editor/window/selection_actions.h"
 #include "editor/window/shortcut_list.h"
@@ -55,6 +56,7 @@ void MainWindow::make_menus() {
   view_actions_->fill(*view);
   view->addSeparator();
   render_controller_->fill(*view);
+  object_actions_->fill(*add_menu(*menuBar(), tr("&Object")));
   make_scene_menu();
   QMenu* render = add_menu(*menuBar(), tr("&Render"));
   render->addActions({render_->preview_action(), render_->render_action(), render_->stop_action()});

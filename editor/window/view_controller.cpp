@@ -25,6 +25,7 @@ ViewController::ViewController(Document& document, const grf::Catalogue& catalog
   connect(&document_, &Document::selection_changed, this,
           [this] { view_.set_selection(document_.selection()); });
   connect(&view_, &SceneView::selection_made, &document_, &Document::select);
+  connect(&view_, &SceneView::objects_picked, this, &ViewController::select_objects);
   connect(&view_, &SceneView::object_moved, this, &ViewController::move_object);
 }
 
@@ -61,6 +62,17 @@ void ViewController::move_object(const HandleId& object, const grf::Vec3d& posit
   } else if (diagnostics.error_count() > 0) {
     emit failed(QString::fromStdString(diagnostics.to_text()));
   }
+}
+
+/// With Shift the objects are added to the selected ones, with Ctrl removed.
+void ViewController::select_objects(const std::vector<grf::ScenePath>& paths,
+                                    Qt::KeyboardModifiers modifiers) {
+  std::vector<grf::ScenePath> selected;
+  if (modifiers & (Qt::ShiftModifier | Qt::ControlModifier)) selected = document_.selected_objects();
+  std::erase_if(selected,
+                [&paths](const auto& each) { return std::ranges::find(paths, each) != paths.end(); });
+  if (!modifiers.testFlag(Qt::ControlModifier)) selected.insert(selected.end(), paths.begin(), paths.end());
+  document_.select_objects(std::move(selected));
 }
 
 void ViewController::pick_face(const std::function<void(FaceId)>& picked) {

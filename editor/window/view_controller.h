@@ -38,6 +38,7 @@ class ViewController : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void select_objects(const std::vector<grf::ScenePath>& paths, Qt::KeyboardModifiers modifiers);
   void move_object(const HandleId& object, const grf::Vec3d& position);
   std::optional<grf::Scene> scene_with(const HandleId& object, const grf::Vec3d& position,
                                        grf::Diagnostics& diagnostics) const;

@@ -170,13 +170,13 @@ TEST_F(ObjectPlacement, SetsPositionRotationAndScale) {
   wanted.position = Vec3d(1, 2, 3);
   wanted.rotation = Vec3d(0, 45, 0);
   wanted.scale = Vec3d(1, 1, 2);
-  auto result = set_object_transform(scene_, box_, wanted, diagnostics_);
+  auto result = set_object_transform(scene_, {box_}, wanted, diagnostics_);
   ASSERT_TRUE(result);
   const ObjectTransform shown = object_transform_at(result->scene, result->paths.at(0));
   EXPECT_EQ(shown.position, wanted.position);
   EXPECT_EQ(shown.rotation, wanted.rotation);
   EXPECT_EQ(shown.scale, wanted.scale);
-  result = set_object_transform(result->scene, result->paths.at(0), ObjectTransform(), diagnostics_);
+  result = set_object_transform(result->scene, result->paths, ObjectTransform(), diagnostics_);
   EXPECT_EQ(grf::to_text(result->scene), text_);
 }
 

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <QList>
+#include <QObject>
+#include <functional>
+#include <optional>
+
+#include "editor/document/document.h"
+
+class QAction;
+class QActionGroup;
+class QMenu;
+class QToolBar;
+class QWidget;
+
+namespace editor {
+
+class GizmoInput;
+class SceneView;
+
+/// Actions that place the selected objects: gizmos, gestures by keys, pivot and axes, alignment.
+class ObjectActions : public QObject {
+  Q_OBJECT
+
+ public:
+  ObjectActions(Document& document, SceneView& view, QWidget& window);
+
+  void fill(QMenu& menu);
+  void fill(QToolBar& bar);
+  PivotPoint pivot() const { return pivot_; }
+
+ signals:
+  void status_message(const QString& text);
+
+ private:
+  using Kind = grf::TransformStep::Kind;
+  using Edit = std::function<std::optional<TransformedObjects>(grf::Diagnostics& diagnostics)>;
+
+  void make_gizmos();
+  void make_gestures();
+  void make_options();
+  void make_placements();
+  QAction* add_placement(const QString& text, const QKeySequence& keys, const QString& tip, const Edit& edit);
+  void make_alignments();
+  void update_target();
+  void apply(const TransformAction& action);
+  void edit(const QString& text, const Edit& made);
+  void mirror(int axis);
+
+  Document& document_;
+  SceneView& view_;
+  QWidget& window_;
+  GizmoInput* gizmo_;
+  PivotPoint pivot_ = PivotPoint::Centre;
+  bool is_local_ = false;
+  QActionGroup* gizmos_;
+  QList<QAction*> gestures_, pivots_, options_, placements_, mirrors_, alignments_;
+};
+
+}  // namespace editor
