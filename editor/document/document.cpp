@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QUndoCommand>
+#include <cstring>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -25,6 +26,38 @@ const grf::Vec3f PlainSky = grf::Vec3f(0.7F);
 /// The file to which a scene's file names are relative; for an unsaved scene, in the current folder.
 QString naming_path(const QString& path) { return path.isEmpty() ? QStringLiteral("Untitled.grf") : path; }
 
+using FaceWord = FaceSelection::Faces::block_type;
+
+/// Compresses a selection for a step: a bit per face would need far more memory than the edit of a few faces.
+QByteArray packed(const FaceSelection& selection) {
+  std::vector<FaceWord> words;
+  for (std::uint32_t mesh = 0; mesh < selection.mesh_count(); ++mesh) {
+    boost::to_block_range(selection.of_mesh(mesh), std::back_inserter(words));
+  }
+  // The lowest level is fast, and sufficient for runs of selected or unselected faces.
+  QByteArray bytes = qCompress(reinterpret_cast<const uchar*>(words.data()),
+                               static_cast<qsizetype>(words.size() * sizeof(FaceWord)), 1);
+  bytes.squeeze();
+  return bytes;
+}
+
+/// Restores a packed selection of the faces of these objects.
+FaceSelection unpacked(const QByteArray& packed, const SceneObjects& objects) {
+  const QByteArray bytes = qUncompress(packed);
+  std::vector<FaceWord> words(static_cast<std::size_t>(bytes.size()) / sizeof(FaceWord));
+  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(FaceWord));
+  FaceSelection selection(objects);
+  auto first = words.begin();
+  for (std::uint32_t mesh = 0; mesh < selection.mesh_count(); ++mesh) {
+    FaceSelection::Faces faces = selection.of_mesh(mesh);
+    const auto end = first + static_cast<std::ptrdiff_t>(faces.num_blocks());
+    boost::from_block_range(first, end, faces);
+    selection.set_faces(mesh, faces);
+    first = end;
+  }
+  return selection;
+}
+
 }  // namespace
 
 grf::Scene moved(grf::Scene scene, const QString& from, const QString& to) {
@@ -40,7 +73,7 @@ class Document::Step : public QUndoCommand {
       : QUndoCommand(text),
         document_(document),
         patch_(std::move(patch)),
-        selection_(document.selection_),
+        selection_(document.packed_selection()),
         key_(std::move(key)),
         gesture_(document.gesture_),
         relocations_(document.relocations_.size()) {}
@@ -51,7 +84,7 @@ class Document::Step : public QUndoCommand {
     follow_file();
     const Change change = document_.change_of(patch_);
     patch_.revert(document_.scene_);
-    document_.show_change(change, &*selection_);
+    document_.show_change(change, &selection_);
     if (takes_plain_sky_) document_.set_background(PlainSky);
   }
   void redo() override {
@@ -81,7 +114,7 @@ class Document::Step : public QUndoCommand {
 
   Document& document_;
   ScenePatch patch_;
-  grf::Shared<FaceSelection> selection_;  // before the step
+  QByteArray selection_;  // before the step, packed; steps with the same selection share it
   QString key_;
   int gesture_;
   std::size_t relocations_;  // number of relocations that were applied to it
@@ -105,7 +138,7 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   set_saved(origin_);
   path_ = path;
   diagnostics_ = std::move(diagnostics);
-  selection_ = {};
+  set_selection({});
   relocations_.clear();
   imports_.clear();
   has_plain_sky_ = false;
@@ -188,9 +221,19 @@ void Document::take_saved(const SaveResult& result) {
 }
 
 void Document::select(FaceSelection selection) {
-  if (selection == *selection_) return;
-  selection_ = std::move(selection);
+  if (selection == selection_) return;
+  set_selection(std::move(selection));
   emit selection_changed();
+}
+
+void Document::set_selection(FaceSelection selection) {
+  selection_ = std::move(selection);
+  packed_selection_.clear();
+}
+
+const QByteArray& Document::packed_selection() {
+  if (packed_selection_.isEmpty()) packed_selection_ = packed(selection_);
+  return packed_selection_;
 }
 
 void Document::replace(const QString& text, grf::Scene scene, const QString& key) {
@@ -203,9 +246,9 @@ void Document::replace(const QString& text, grf::Scene scene, const QString& key
 }
 
 void Document::edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key) {
-  if (selection_->empty()) return;
-  const FaceSelection faces = at_all_places(scene_, *objects_, *selection_);
-  const std::size_t places = faces.meshes().size() - selection_->meshes().size();
+  if (selection_.empty()) return;
+  const FaceSelection faces = at_all_places(scene_, *objects_, selection_);
+  const std::size_t places = faces.meshes().size() - selection_.meshes().size();
   push(text, ScenePatch::of_meshes(scene_, edited(*objects_, faces, edits)), key);
   if (places > 0) tell_of_places(places);
 }
@@ -266,8 +309,8 @@ void Document::show(grf::Scene scene) {
   show_change(change, nullptr);
 }
 
-/// Selects the given faces, or updates the present selection.
-void Document::show_change(const Change& change, const FaceSelection* selection) {
+/// Restores the packed selection, or updates the present one.
+void Document::show_change(const Change& change, const QByteArray* selection) {
   const std::shared_ptr<const SceneObjects> before = objects_;
   if (change.is_structural) {
     objects_ = std::make_shared<const SceneObjects>(objects_of(scene_, path_.toStdString()));
@@ -278,9 +321,9 @@ void Document::show_change(const Change& change, const FaceSelection* selection)
   }
   bool selects = false;
   if (selection != nullptr || change.is_structural) {
-    FaceSelection now = selection != nullptr ? *selection : carried_over(*before);
-    selects = !(now == *selection_);
-    if (selects || change.is_structural) selection_ = std::move(now);
+    FaceSelection now = selection != nullptr ? unpacked(*selection, *objects_) : carried_over(*before);
+    selects = !(now == selection_);
+    if (selects) set_selection(std::move(now));
   }
   emit changed(change);
   if (selects) emit selection_changed();
@@ -292,7 +335,7 @@ FaceSelection Document::carried_over(const SceneObjects& before) const {
   FaceSelection carried(*objects_);
   std::multimap<const grf::Geometry*, std::uint32_t> known;
   std::map<grf::ScenePath, std::uint32_t> places;
-  for (std::uint32_t i = 0; i < before.meshes.size() && i < selection_->mesh_count(); ++i) {
+  for (std::uint32_t i = 0; i < before.meshes.size() && i < selection_.mesh_count(); ++i) {
     known.emplace(&*before.meshes[i].mesh->geometry, i);
     places.emplace(before.meshes[i].path, i);
   }
@@ -306,7 +349,7 @@ FaceSelection Document::carried_over(const SceneObjects& before) const {
       match = place->second;
     }
     if (!match || before.meshes[*match].mesh->face_count() != object.mesh->face_count()) continue;
-    carried.set_faces(now, selection_->of_mesh(*match));
+    carried.set_faces(now, selection_.of_mesh(*match));
   }
   return carried;
 }

@@ -237,21 +237,27 @@ void redo(benchmark::State& state, Stage& stage) {
 }
 
 /// The memory of 100 undo steps that change surfaces, in percent of the scene's: measured on a document
-/// without a window, whose other allocations come and go.
-void remember(benchmark::State& state, const grf::Scene& scene, double scene_bytes) {
+/// without a window, whose other allocations come and go. Each step edits the same face or the next one.
+void remember(benchmark::State& state, const grf::Scene& scene, double scene_bytes, bool moves_on) {
   for (auto _ : state) {  // NOLINT(clang-analyzer-deadcode.DeadStores): Google Benchmark's way
     Document document;
     document.take(scene, {}, {});
-    FaceSelection one(document.objects());
-    one.set({0, 0});
-    document.select(std::move(one));
-    edit(document, 500);
-    const double before = allocated();
+    const auto edit_next = [&](std::uint32_t number) {
+      FaceSelection one(document.objects());
+      one.set({0, moves_on ? number : 0});
+      document.select(std::move(one));
+      edit(document, static_cast<int>(number));
+    };
     QElapsedTimer clock;
     clock.start();
-    for (int i = 0; i < 100; ++i) edit(document, i);
+    for (std::uint32_t i = 0; i < 100; ++i) edit_next(i);
     state.SetIterationTime(milliseconds(clock) * 1e-3);
-    state.counters["percent_of_scene"] = 100 * (allocated() - before) / scene_bytes;
+    const double with_steps = allocated();
+    document.undo_stack().clear();
+    const double of_steps = with_steps - allocated();
+    state.counters["bytes_per_step"] = of_steps / 100;
+    state.counters["percent_of_scene"] = 100 * of_steps / scene_bytes;
+    state.counters["scene_MB"] = scene_bytes * 1e-6;
   }
 }
 
@@ -315,13 +321,16 @@ void add_all(const Case& scene, Theatre& theatre) {
   add(scene, "rename", Tries, on_stage(rename));
   add(scene, "undo", Tries, on_stage(undo));
   add(scene, "redo", Tries, on_stage(redo));
-  add(scene, "100 steps", 1, [&](benchmark::State& state) {
-    theatre.close();
-    const double before = allocated();
-    const test::TemporaryFolder folder;
-    const grf::Scene made = scene.make(folder.path(""));
-    remember(state, made, allocated() - before);
-  });
+  for (const bool moves_on : {false, true}) {
+    const auto measure = [&, moves_on](benchmark::State& state) {
+      theatre.close();
+      const double before = allocated();
+      const test::TemporaryFolder folder;
+      const grf::Scene made = scene.make(folder.path(""));
+      remember(state, made, allocated() - before, moves_on);
+    };
+    add(scene, moves_on ? "100 steps of different faces" : "100 steps", 1, measure);
+  }
 }
 
 }  // namespace
