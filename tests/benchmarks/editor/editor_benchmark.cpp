@@ -153,6 +153,11 @@ class Stage {
   test::Watchdog watchdog_;
 };
 
+void report(benchmark::State& state, const test::Watchdog::Block& longest) {
+  state.counters["longest_block_ms"] = static_cast<double>(longest.milliseconds);
+  state.counters["block_cpu_ms"] = longest.processor_milliseconds;
+}
+
 /// Times an action: the action itself, with all that its signals do and leave to the next turn of the event
 /// loop, in which the view hands the frame to its thread; and the longest time for which the window did not
 /// respond until all had settled.
@@ -160,7 +165,7 @@ void time(
     benchmark::State& state, Stage& stage, const std::function<void()>& action,
     const std::function<void()>& before = [] {}) {
   std::vector<double> busy;
-  qint64 longest = 0;
+  test::Watchdog::Block longest;
   for (auto _ : state) {  // NOLINT(clang-analyzer-deadcode.DeadStores): Google Benchmark's way
     before();
     stage.settle();
@@ -173,11 +178,13 @@ void time(
     busy.push_back(milliseconds(clock));
     state.SetIterationTime(of_action * 1e-3);
     stage.settle();
-    longest = std::max(longest, stage.watchdog().longest());
+    const test::Watchdog::Block block = stage.watchdog().longest();
+    longest.milliseconds = std::max(longest.milliseconds, block.milliseconds);
+    longest.processor_milliseconds = std::max(longest.processor_milliseconds, block.processor_milliseconds);
   }
   state.counters["to_frame_ms"] = median(busy);
   state.counters["worst_ms"] = *std::max_element(busy.begin(), busy.end());
-  state.counters["longest_block_ms"] = static_cast<double>(longest);
+  report(state, longest);
 }
 
 void tick(benchmark::State& state, Stage& stage) {
@@ -275,7 +282,7 @@ void open(benchmark::State& state, Stage& stage) {
     state.SetIterationTime(milliseconds(clock) * 1e-3);
     state.counters["read_ms"] = read;
     stage.settle();
-    state.counters["longest_block_ms"] = static_cast<double>(stage.watchdog().longest());
+    report(state, stage.watchdog().longest());
   }
 }
 
