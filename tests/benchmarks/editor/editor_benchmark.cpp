@@ -165,6 +165,7 @@ void time(
     benchmark::State& state, Stage& stage, const std::function<void()>& action,
     const std::function<void()>& before = [] {}) {
   std::vector<double> busy;
+  std::vector<double> used;
   test::Watchdog::Block longest;
   for (auto _ : state) {  // NOLINT(clang-analyzer-deadcode.DeadStores): Google Benchmark's way
     before();
@@ -172,7 +173,9 @@ void time(
     stage.watchdog().longest();
     QElapsedTimer clock;
     clock.start();
+    const double used_before = test::processor_time();
     action();
+    used.push_back(test::processor_time() - used_before);
     const double of_action = milliseconds(clock);
     QCoreApplication::sendPostedEvents();
     busy.push_back(milliseconds(clock));
@@ -182,6 +185,7 @@ void time(
     longest.milliseconds = std::max(longest.milliseconds, block.milliseconds);
     longest.processor_milliseconds = std::max(longest.processor_milliseconds, block.processor_milliseconds);
   }
+  state.counters["action_cpu_ms"] = median(used);
   state.counters["to_frame_ms"] = median(busy);
   state.counters["worst_ms"] = *std::max_element(busy.begin(), busy.end());
   report(state, longest);

@@ -92,6 +92,13 @@ class FileTyping {
   QTimer timer_;
 };
 
+/// Time of the processor that this thread used, milliseconds.
+inline double processor_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+}
+
 /// Measures how long the window was blocked, at most: the longest time between two turns of its event loop,
 /// and the most time of the processor that its thread used in between, which other programs hardly affect.
 class Watchdog : public QObject {
@@ -120,13 +127,6 @@ class Watchdog : public QObject {
   }
 
  private:
-  /// Time of the processor that this thread used, milliseconds.
-  static double processor_time() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-  }
-
   QTimer timer_;
   QElapsedTimer since_;
   double used_ = processor_time();
