@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "editor/appearance/theme.h"
+#include "editor/jobs/job.h"
 #include "editor/tools/scene_reading.h"
 #include "editor/tools/tool_window.h"
 #include "editor/view/scene_view.h"
@@ -114,6 +115,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationName("wannabe");
   QCoreApplication::setApplicationVersion(GRANADA_VERSION);
   if (has_window) QGuiApplication::setDesktopFileName("wannabe");
+  editor::leave_threads_to_painting();
 
   QCommandLineParser parser;
   parser.setApplicationDescription("Edits GRF scenes with a BRDF per face.");

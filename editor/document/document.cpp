@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QUndoCommand>
+#include <cstring>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -25,6 +26,38 @@ const grf::Vec3f PlainSky = grf::Vec3f(0.7F);
 /// The file to which a scene's file names are relative; for an unsaved scene, in the current folder.
 QString naming_path(const QString& path) { return path.isEmpty() ? QStringLiteral("Untitled.grf") : path; }
 
+using FaceWord = FaceSelection::Faces::block_type;
+
+/// Compresses a selection for a step: a bit per face would need far more memory than the edit of a few faces.
+QByteArray packed(const FaceSelection& selection) {
+  std::vector<FaceWord> words;
+  for (std::uint32_t mesh = 0; mesh < selection.mesh_count(); ++mesh) {
+    boost::to_block_range(selection.of_mesh(mesh), std::back_inserter(words));
+  }
+  // The lowest level is fast, and sufficient for runs of selected or unselected faces.
+  QByteArray bytes = qCompress(reinterpret_cast<const uchar*>(words.data()),
+                               static_cast<qsizetype>(words.size() * sizeof(FaceWord)), 1);
+  bytes.squeeze();
+  return bytes;
+}
+
+/// Restores a packed selection of the faces of these objects.
+FaceSelection unpacked(const QByteArray& packed, const SceneObjects& objects) {
+  const QByteArray bytes = qUncompress(packed);
+  std::vector<FaceWord> words(static_cast<std::size_t>(bytes.size()) / sizeof(FaceWord));
+  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(FaceWord));
+  FaceSelection selection(objects);
+  auto first = words.begin();
+  for (std::uint32_t mesh = 0; mesh < selection.mesh_count(); ++mesh) {
+    FaceSelection::Faces faces = selection.of_mesh(mesh);
+    const auto end = first + static_cast<std::ptrdiff_t>(faces.num_blocks());
+    boost::from_block_range(first, end, faces);
+    selection.set_faces(mesh, faces);
+    first = end;
+  }
+  return selection;
+}
+
 }  // namespace
 
 grf::Scene moved(grf::Scene scene, const QString& from, const QString& to) {
@@ -42,7 +75,7 @@ class Document::Step : public QUndoCommand {
       : QUndoCommand(text),
         document_(document),
         patch_(std::move(patch)),
-        selection_(document.selection_),
+        selection_(document.packed_selection()),
         objects_before_(document.selected_objects_),
         objects_after_(std::move(objects)),
         key_(std::move(key)),
@@ -55,7 +88,7 @@ class Document::Step : public QUndoCommand {
     follow_file();
     const Change change = document_.change_of(patch_);
     patch_.revert(document_.scene_);
-    document_.show_change(change, &*selection_, objects_before_);
+    document_.show_change(change, &selection_, *objects_before_);
     if (takes_plain_sky_) document_.set_background(PlainSky);
   }
   void redo() override {
@@ -86,8 +119,8 @@ class Document::Step : public QUndoCommand {
 
   Document& document_;
   ScenePatch patch_;
-  grf::Shared<FaceSelection> selection_;  // before the step
-  std::vector<grf::ScenePath> objects_before_;
+  QByteArray selection_;  // before the step, packed; steps with the same selection share it
+  grf::Shared<std::vector<grf::ScenePath>> objects_before_;
   std::optional<std::vector<grf::ScenePath>> objects_after_;
   QString key_;
   int gesture_;
@@ -112,8 +145,8 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   set_saved(origin_);
   path_ = path;
   diagnostics_ = std::move(diagnostics);
-  selection_ = {};
-  selected_objects_.clear();
+  set_selection({});
+  selected_objects_ = {};
   relocations_.clear();
   imports_.clear();
   has_plain_sky_ = false;
@@ -196,21 +229,21 @@ void Document::take_saved(const SaveResult& result) {
 }
 
 void Document::select(FaceSelection selection) {
-  if (selection == *selection_) return;
-  selection_ = std::move(selection);
+  if (selection == selection_) return;
+  set_selection(std::move(selection));
   emit selection_changed();
 }
 
 void Document::select_objects(std::vector<grf::ScenePath> paths) {
   std::erase_if(paths, [this](const grf::ScenePath& path) { return block_at(scene_, path) == nullptr; });
-  if (paths == selected_objects_) return;
+  if (paths == *selected_objects_) return;
   selected_objects_ = std::move(paths);
   emit selected_objects_changed();
 }
 
 bool Document::transform_selected(const QString& text, const TransformAction& action, const QString& key) {
   grf::Diagnostics diagnostics;
-  auto edited = transform_objects(scene_, selected_objects_, action, diagnostics);
+  auto edited = transform_objects(scene_, *selected_objects_, action, diagnostics);
   if (!edited) {
     emit status_message(QString::fromStdString(diagnostics.entries().front().message));
     return false;
@@ -223,6 +256,16 @@ void Document::replace_objects(const QString& text, TransformedObjects edited, c
   push(text, ScenePatch::between(scene_, edited.scene), key, std::move(edited.paths));
 }
 
+void Document::set_selection(FaceSelection selection) {
+  selection_ = std::move(selection);
+  packed_selection_.clear();
+}
+
+const QByteArray& Document::packed_selection() {
+  if (packed_selection_.isEmpty()) packed_selection_ = packed(selection_);
+  return packed_selection_;
+}
+
 void Document::replace(const QString& text, grf::Scene scene, const QString& key) {
   grf::Diagnostics diagnostics;
   const std::size_t places = edit_all_places(scene_, scene, diagnostics);
@@ -233,9 +276,9 @@ void Document::replace(const QString& text, grf::Scene scene, const QString& key
 }
 
 void Document::edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key) {
-  if (selection_->empty()) return;
-  const FaceSelection faces = at_all_places(scene_, *objects_, *selection_);
-  const std::size_t places = faces.meshes().size() - selection_->meshes().size();
+  if (selection_.empty()) return;
+  const FaceSelection faces = at_all_places(scene_, *objects_, selection_);
+  const std::size_t places = faces.meshes().size() - selection_.meshes().size();
   push(text, ScenePatch::of_meshes(scene_, edited(*objects_, faces, edits)), key);
   if (places > 0) tell_of_places(places);
 }
@@ -297,8 +340,8 @@ void Document::show(grf::Scene scene) {
   show_change(change, nullptr, std::nullopt);
 }
 
-/// Selects the given faces and objects, or updates the present selection.
-void Document::show_change(const Change& change, const FaceSelection* selection,
+/// Restores the packed selection of faces and the objects, or updates the present selections.
+void Document::show_change(const Change& change, const QByteArray* selection,
                            const std::optional<std::vector<grf::ScenePath>>& selected_objects) {
   const std::shared_ptr<const SceneObjects> before = objects_;
   if (change.is_structural) {
@@ -310,9 +353,9 @@ void Document::show_change(const Change& change, const FaceSelection* selection,
   }
   bool selects = false;
   if (selection != nullptr || change.is_structural) {
-    FaceSelection now = selection != nullptr ? *selection : carried_over(*before);
-    selects = !(now == *selection_);
-    if (selects || change.is_structural) selection_ = std::move(now);
+    FaceSelection now = selection != nullptr ? unpacked(*selection, *objects_) : carried_over(*before);
+    selects = !(now == selection_);
+    if (selects) set_selection(std::move(now));
   }
   emit changed(change);
   if (selects) emit selection_changed();
@@ -335,7 +378,7 @@ std::vector<grf::ScenePath> Document::objects_carried_over(const SceneObjects& b
     }
     return inside;
   };
-  std::vector<grf::ScenePath> carried = selected_objects_;
+  std::vector<grf::ScenePath> carried = *selected_objects_;
   std::erase_if(carried,
                 [&](const auto& path) { return contents(before, path) != contents(*objects_, path); });
   return carried;
@@ -347,7 +390,7 @@ FaceSelection Document::carried_over(const SceneObjects& before) const {
   FaceSelection carried(*objects_);
   std::multimap<const grf::Geometry*, std::uint32_t> known;
   std::map<grf::ScenePath, std::uint32_t> places;
-  for (std::uint32_t i = 0; i < before.meshes.size() && i < selection_->mesh_count(); ++i) {
+  for (std::uint32_t i = 0; i < before.meshes.size() && i < selection_.mesh_count(); ++i) {
     known.emplace(&*before.meshes[i].mesh->geometry, i);
     places.emplace(before.meshes[i].path, i);
   }
@@ -361,7 +404,7 @@ FaceSelection Document::carried_over(const SceneObjects& before) const {
       match = place->second;
     }
     if (!match || before.meshes[*match].mesh->face_count() != object.mesh->face_count()) continue;
-    carried.set_faces(now, selection_->of_mesh(*match));
+    carried.set_faces(now, selection_.of_mesh(*match));
   }
   return carried;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QByteArray>
 #include <QObject>
 #include <QString>
 #include <map>
@@ -44,9 +45,9 @@ class Document : public QObject {
   const SceneObjects& objects() const { return *objects_; }
   /// The same, for sharing with views.
   const std::shared_ptr<const SceneObjects>& shared_objects() const { return objects_; }
-  const FaceSelection& selection() const { return *selection_; }
+  const FaceSelection& selection() const { return selection_; }
   /// The paths of the selected objects; the last one is the active one. Each leads to a block of the scene.
-  const std::vector<grf::ScenePath>& selected_objects() const { return selected_objects_; }
+  const std::vector<grf::ScenePath>& selected_objects() const { return *selected_objects_; }
   /// The file that the scene was read from or saved to; empty if there is none.
   const QString& path() const { return path_; }
   /// The file name for titles; `Untitled` if there is none.
@@ -133,16 +134,19 @@ class Document : public QObject {
   void light_by_plain_sky();
   bool take_plain_sky();
   void show(grf::Scene scene);
-  void show_change(const Change& change, const FaceSelection* selection,
+  void show_change(const Change& change, const QByteArray* selection,
                    const std::optional<std::vector<grf::ScenePath>>& selected_objects);
+  void set_selection(FaceSelection selection);
+  const QByteArray& packed_selection();
   FaceSelection carried_over(const SceneObjects& before) const;
   std::vector<grf::ScenePath> objects_carried_over(const SceneObjects& before) const;
   Change change_of(const ScenePatch& patch) const;
 
   grf::Scene scene_;
   std::shared_ptr<const SceneObjects> objects_ = std::make_shared<const SceneObjects>();
-  grf::Shared<FaceSelection> selection_;
-  std::vector<grf::ScenePath> selected_objects_;
+  FaceSelection selection_;
+  QByteArray packed_selection_;  ///< of `selection_`; empty until a step needs it
+  grf::Shared<std::vector<grf::ScenePath>> selected_objects_;
   QString path_;
   grf::Diagnostics diagnostics_;
   ImportFolders imports_;

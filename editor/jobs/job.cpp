@@ -1,6 +1,14 @@
 #include "editor/jobs/job.h"
 
+#include <QThread>
+
 namespace editor {
+
+void leave_threads_to_painting() {
+  // Of each kind of background work one task runs at a time, and there are fewer kinds than that.
+  constexpr int Tasks = 32;
+  QThreadPool::globalInstance()->setMaxThreadCount(QThread::idealThreadCount() + Tasks);
+}
 
 QString Job::cancel_tip() const {
   return state_ == State::Waiting ? tr("Remove this job from the queue") : task_.cancel_tip;

@@ -14,6 +14,11 @@
 
 namespace editor {
 
+/// Lets the application's thread pool run more tasks than the processor has cores. QPainter draws parts of
+/// large images in the same pool and waits for them: work that filled it would block the window until it is
+/// done.
+void leave_threads_to_painting();
+
 class Job;
 
 /// Description and functions of a job.

@@ -35,6 +35,7 @@ using options::RenderOptions;
 namespace {
 
 const QString RenderQueue = QStringLiteral("renders");
+const QString PreviewQueue = QStringLiteral("preview");
 
 }  // namespace
 
@@ -162,6 +163,7 @@ void RenderPanel::connect_preview() {
               curve_->add(progress.seconds, *progress.estimated_error);
             }
             show_progress(progress.done, progress.seconds_left, progress.estimated_error);
+            if (preview_job_) preview_job_->show_progress(progress.done, progress.seconds_left);
           });
   connect(&preview_, &Preview::diagnosed, this, [this](const grf::Diagnostics& diagnostics) {
     if (final_.is_running()) return;
@@ -170,6 +172,7 @@ void RenderPanel::connect_preview() {
   });
   connect(&preview_, &Preview::state_changed, this, [this](PreviewState state) {
     update_actions();
+    list_preview(state);
     if (final_.is_running()) return;
     if (state == PreviewState::Paused) show_status(tr("Preview paused"));
     if (state == PreviewState::Done)
@@ -178,6 +181,7 @@ void RenderPanel::connect_preview() {
   });
   connect(&preview_, &Preview::stopped, this, [this] {
     update_actions();
+    list_preview(PreviewState::Done);
     show_status(tr("Preview stopped"));
   });
 }
@@ -234,6 +238,19 @@ void RenderPanel::show_options() {
   settings_->set_options(now);
   curve_->set_target(now.target_error);
   if (preview_.is_on()) restart_preview();
+}
+
+/// Lists the preview among the jobs while it renders. An edit restarts its progress.
+void RenderPanel::list_preview(PreviewState state) {
+  const bool is_running = state == PreviewState::Preparing || state == PreviewState::Rendering;
+  if (!is_running) {
+    if (const QPointer<Job> job = std::exchange(preview_job_, nullptr)) job->end();
+  } else if (!preview_job_) {
+    jobs_.add({tr("Preview"), PreviewQueue, [this](Job& job) { preview_job_ = &job; },
+               [this] { preview_.stop(); }, tr("Stop the preview")});
+  } else if (state == PreviewState::Preparing) {
+    preview_job_->show_progress(-1);
+  }
 }
 
 void RenderPanel::toggle_preview() {

@@ -64,6 +64,7 @@ class RenderPanel : public QWidget {
   QPlainTextEdit* make_log();
   void connect_preview();
   void connect_final();
+  void list_preview(job::PreviewState state);
   void toggle_preview();
   void restart_preview();
   void render();
@@ -82,7 +83,8 @@ class RenderPanel : public QWidget {
 
   Document& document_;
   JobList& jobs_;
-  QPointer<Job> job_;  ///< the running render
+  QPointer<Job> job_;          ///< the running render
+  QPointer<Job> preview_job_;  ///< the preview while it renders
   OpDocument& options_;
   std::optional<transport::View> view_;
   QString image_path_;          ///< of the shown image; empty for the preview

@@ -134,7 +134,6 @@ ShaderTextView& BrdfViewerWindow::shader_text() {
 }
 
 QString BrdfViewerWindow::pointed_text() { return pointed().text(); }
-QString BrdfViewerWindow::speed_text() const { return speed_->text(); }
 
 bool BrdfViewerWindow::is_busy() const {
   return compiling_.is_busy() || object_.name != wanted_object_ || map_.path != wanted_map_ ||

@@ -28,9 +28,8 @@ class BrdfViewerWindow : public ToolWindow {
   BrdfView& view() { return *view_; }
   /// The window with the shaders, which is shown on request.
   ShaderTextView& shader_text();
-  /// Text of the status line: the values under the pointer, and the speed.
+  /// Text of the status line: the values under the pointer.
   QString pointed_text();
-  QString speed_text() const;
   bool has_picture() const override;
   bool is_busy() const override;
 

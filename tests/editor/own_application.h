@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "editor/appearance/theme.h"
+#include "editor/jobs/job.h"
 #include "tests/editor/own_screen.h"
 
 namespace test {
@@ -20,6 +21,7 @@ inline std::unique_ptr<QApplication> application_on(OwnScreen& screen, QSize siz
   auto application = std::make_unique<QApplication>(argc, argv);
   QApplication::setOrganizationName("granada");
   QApplication::setApplicationName("wannabe");
+  editor::leave_threads_to_painting();
   editor::apply(editor::Theme::Dark, *application);
   return application;
 }

@@ -153,6 +153,11 @@ class Stage {
   test::Watchdog watchdog_;
 };
 
+void report(benchmark::State& state, const test::Watchdog::Block& longest) {
+  state.counters["longest_block_ms"] = static_cast<double>(longest.milliseconds);
+  state.counters["block_cpu_ms"] = longest.processor_milliseconds;
+}
+
 /// Times an action: the action itself, with all that its signals do and leave to the next turn of the event
 /// loop, in which the view hands the frame to its thread; and the longest time for which the window did not
 /// respond until all had settled.
@@ -160,24 +165,30 @@ void time(
     benchmark::State& state, Stage& stage, const std::function<void()>& action,
     const std::function<void()>& before = [] {}) {
   std::vector<double> busy;
-  qint64 longest = 0;
+  std::vector<double> used;
+  test::Watchdog::Block longest;
   for (auto _ : state) {  // NOLINT(clang-analyzer-deadcode.DeadStores): Google Benchmark's way
     before();
     stage.settle();
     stage.watchdog().longest();
     QElapsedTimer clock;
     clock.start();
+    const double used_before = test::processor_time();
     action();
+    used.push_back(test::processor_time() - used_before);
     const double of_action = milliseconds(clock);
     QCoreApplication::sendPostedEvents();
     busy.push_back(milliseconds(clock));
     state.SetIterationTime(of_action * 1e-3);
     stage.settle();
-    longest = std::max(longest, stage.watchdog().longest());
+    const test::Watchdog::Block block = stage.watchdog().longest();
+    longest.milliseconds = std::max(longest.milliseconds, block.milliseconds);
+    longest.processor_milliseconds = std::max(longest.processor_milliseconds, block.processor_milliseconds);
   }
+  state.counters["action_cpu_ms"] = median(used);
   state.counters["to_frame_ms"] = median(busy);
   state.counters["worst_ms"] = *std::max_element(busy.begin(), busy.end());
-  state.counters["longest_block_ms"] = static_cast<double>(longest);
+  report(state, longest);
 }
 
 void tick(benchmark::State& state, Stage& stage) {
@@ -237,21 +248,27 @@ void redo(benchmark::State& state, Stage& stage) {
 }
 
 /// The memory of 100 undo steps that change surfaces, in percent of the scene's: measured on a document
-/// without a window, whose other allocations come and go.
-void remember(benchmark::State& state, const grf::Scene& scene, double scene_bytes) {
+/// without a window, whose other allocations come and go. Each step edits the same face or the next one.
+void remember(benchmark::State& state, const grf::Scene& scene, double scene_bytes, bool moves_on) {
   for (auto _ : state) {  // NOLINT(clang-analyzer-deadcode.DeadStores): Google Benchmark's way
     Document document;
     document.take(scene, {}, {});
-    FaceSelection one(document.objects());
-    one.set({0, 0});
-    document.select(std::move(one));
-    edit(document, 500);
-    const double before = allocated();
+    const auto edit_next = [&](std::uint32_t number) {
+      FaceSelection one(document.objects());
+      one.set({0, moves_on ? number : 0});
+      document.select(std::move(one));
+      edit(document, static_cast<int>(number));
+    };
     QElapsedTimer clock;
     clock.start();
-    for (int i = 0; i < 100; ++i) edit(document, i);
+    for (std::uint32_t i = 0; i < 100; ++i) edit_next(i);
     state.SetIterationTime(milliseconds(clock) * 1e-3);
-    state.counters["percent_of_scene"] = 100 * (allocated() - before) / scene_bytes;
+    const double with_steps = allocated();
+    document.undo_stack().clear();
+    const double of_steps = with_steps - allocated();
+    state.counters["bytes_per_step"] = of_steps / 100;
+    state.counters["percent_of_scene"] = 100 * of_steps / scene_bytes;
+    state.counters["scene_MB"] = scene_bytes * 1e-6;
   }
 }
 
@@ -269,7 +286,7 @@ void open(benchmark::State& state, Stage& stage) {
     state.SetIterationTime(milliseconds(clock) * 1e-3);
     state.counters["read_ms"] = read;
     stage.settle();
-    state.counters["longest_block_ms"] = static_cast<double>(stage.watchdog().longest());
+    report(state, stage.watchdog().longest());
   }
 }
 
@@ -315,13 +332,16 @@ void add_all(const Case& scene, Theatre& theatre) {
   add(scene, "rename", Tries, on_stage(rename));
   add(scene, "undo", Tries, on_stage(undo));
   add(scene, "redo", Tries, on_stage(redo));
-  add(scene, "100 steps", 1, [&](benchmark::State& state) {
-    theatre.close();
-    const double before = allocated();
-    const test::TemporaryFolder folder;
-    const grf::Scene made = scene.make(folder.path(""));
-    remember(state, made, allocated() - before);
-  });
+  for (const bool moves_on : {false, true}) {
+    const auto measure = [&, moves_on](benchmark::State& state) {
+      theatre.close();
+      const double before = allocated();
+      const test::TemporaryFolder folder;
+      const grf::Scene made = scene.make(folder.path(""));
+      remember(state, made, allocated() - before, moves_on);
+    };
+    add(scene, moves_on ? "100 steps of different faces" : "100 steps", 1, measure);
+  }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include "editor/document/definitions.h"
 #include "editor/document/geometry_edits.h"
@@ -18,6 +19,7 @@
 #include "grf/write.h"
 #include "renderer/options/op_file.h"
 #include "tests/editor/scene_of.h"
+#include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
 
 namespace editor {
@@ -414,6 +416,52 @@ TEST(SurfaceEdits, EditInPlaceASurfaceOfWhichAllFacesAreSelected) {
   EXPECT_EQ(colours(), (std::vector{red, red, green, green, blue}));
   for (int i = 0; i < 4; ++i) document.undo_stack().redo();
   EXPECT_EQ(colours(), (std::vector{green, green, green, grey, grey}));
+}
+
+/// Bytes that are allocated and not freed.
+std::size_t allocated() {
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+/// A mesh of a million faces, all the same triangle.
+grf::Scene million_faces() {
+  grf::MeshDraft draft;
+  draft.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  constexpr std::uint32_t Corners[] = {0, 1, 2};
+  for (int i = 0; i < 1'000'000; ++i) draft.add_face(Corners, 0);
+  draft.free_spare_memory();
+  grf::Scene scene;
+  scene.contents.blocks.emplace_back().content = grf::Shared<grf::Mesh>(std::move(draft));
+  return scene;
+}
+
+TEST(LargeScenes, UndoHundredEditsOfDifferentFacesWithOnePercentOfTheirMemory) {
+  if (test::HasSanitizers) GTEST_SKIP() << "sanitizers allocate otherwise";
+  const std::size_t without_scene = allocated();
+  Document document;
+  document.take(million_faces(), {}, {});
+  const std::size_t of_scene = allocated() - without_scene;
+  std::vector<FaceSelection> painted;
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    FaceSelection selection(document.objects());
+    for (const std::uint32_t face : {i, 9'000 * i + 127, 9'000 * i + 128}) selection.set({0, face});
+    document.select(selection);
+    painted.push_back(std::move(selection));
+    SurfaceEdit edit;
+    edit.colour = AttributeEdit<grf::ColourAttribute>::set(grf::Colour(static_cast<float>(i) / 100.0F));
+    document.edit_surfaces("Colour", edit);
+  }
+  ASSERT_EQ(document.undo_stack().count(), 100);
+  for (auto selection = painted.rbegin(); selection != painted.rend(); ++selection) {
+    document.select(FaceSelection(document.objects()));
+    document.undo_stack().undo();
+    ASSERT_EQ(document.selection(), *selection);
+  }
+  document.undo_stack().setIndex(100);
+  const std::size_t with_steps = allocated();
+  document.undo_stack().clear();
+  EXPECT_LT(with_steps - allocated(), of_scene / 100);
 }
 
 }  // namespace

@@ -1,6 +1,11 @@
+#include <QElapsedTimer>
+#include <QImage>
+#include <QPainter>
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
+#include <atomic>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -107,6 +112,35 @@ TEST_F(Jobs, SayWhyTheyFailed) {
   ASSERT_TRUE(are_ended());
   ASSERT_EQ(failed.size(), 1);
   EXPECT_EQ(failed[0][0].toString(), "Add: disk full");
+}
+
+/// Qt draws a smoothly scaled image in several threads of the application's pool, and waits for them.
+TEST_F(Jobs, LeaveThreadsToPainting) {
+  const int count = 2 * QThread::idealThreadCount();
+  QSemaphore held;
+  std::atomic<int> running = 0;
+  for (int i = 0; i < count; ++i) {
+    jobs_.add({"Wait", QString::number(i), [&](Job& job) {
+                 job.run(
+                     [&] {
+                       ++running;
+                       return held.tryAcquire(1, Timeout);
+                     },
+                     [](bool) {});
+               }});
+  }
+  EXPECT_TRUE(QTest::qWaitFor([&] { return running == count; }, Timeout / 10));
+  QImage image(1500, 1500, QImage::Format_ARGB32_Premultiplied);
+  image.fill(Qt::white);
+  QImage canvas(1000, 1000, QImage::Format_ARGB32_Premultiplied);
+  QElapsedTimer clock;
+  clock.start();
+  QPainter painter(&canvas);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.drawImage(canvas.rect(), image);
+  EXPECT_LT(clock.elapsed(), Timeout / 2);
+  held.release(count);
+  EXPECT_TRUE(are_ended());
 }
 
 }  // namespace

@@ -109,6 +109,29 @@ TEST_F(RenderPanelTest, PreviewsByF5AndFollowsEdits) {
   EXPECT_THAT(panel_.stop_action()->toolTip().toStdString(), HasSubstr("No render is running"));
 }
 
+TEST_F(RenderPanelTest, ListsThePreviewAmongTheJobsWhileItRenders) {
+  open(100'000);
+  panel_.preview_action()->trigger();
+  ASSERT_EQ(jobs_.jobs().size(), 1U);
+  editor::Job& job = *jobs_.jobs().front();
+  EXPECT_EQ(job.title(), "Preview");
+  EXPECT_EQ(job.state(), editor::Job::State::Running);
+  ASSERT_TRUE(QTest::qWaitFor([&job] { return job.done() > 0; }, test::Minute)) << "progress";
+  options::RenderOptions elsewhere = options();
+  elsewhere.eye = grf::Vec3f(1, 2, 5);
+  options_.follow(elsewhere);
+  EXPECT_THAT(jobs_.jobs(), testing::ElementsAre(&job)) << "the same job follows the edit";
+  panel_.preview_action()->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return panel_.preview().is_paused(); }, test::Minute));
+  EXPECT_TRUE(jobs_.jobs().empty()) << "a paused preview";
+  panel_.preview_action()->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !jobs_.jobs().empty(); }, test::Minute)) << "resumed";
+  EXPECT_EQ(jobs_.jobs().front()->cancel_tip(), "Stop the preview");
+  jobs_.jobs().front()->cancel();
+  EXPECT_FALSE(panel_.preview().is_on());
+  EXPECT_TRUE(jobs_.jobs().empty());
+}
+
 TEST_F(RenderPanelTest, AsksBeforeItReplacesAnImageThatItHasNotMade) {
   open(4);
   folder_.add("scene.exr", "of somebody else");

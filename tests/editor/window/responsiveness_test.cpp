@@ -63,18 +63,21 @@ class Responsiveness : public testing::Test {
   void expect_quick(
       const std::string& what, const std::function<void()>& action,
       const std::function<void()>& before = [] {}) {
-    qint64 best = Minute;
-    for (int i = 0; i < Tries && best > Limit; ++i) {
+    test::Watchdog::Block best = {Minute, Minute};
+    for (int i = 0; i < Tries && best.milliseconds > Limit; ++i) {
       before();
       ASSERT_TRUE(settle()) << what;
       watchdog_.longest();
       action();
       ASSERT_TRUE(settle()) << what;
-      best = std::min(best, watchdog_.longest());
+      const test::Watchdog::Block longest = watchdog_.longest();
+      best.milliseconds = std::min(best.milliseconds, longest.milliseconds);
+      best.processor_milliseconds = std::min(best.processor_milliseconds, longest.processor_milliseconds);
     }
-    std::cout << what << ": " << best << " ms\n";
+    std::cout << what << ": " << best.milliseconds << " ms, of the processor " << best.processor_milliseconds
+              << " ms\n";
     if (!test::HasSanitizers) {
-      EXPECT_LE(best, Limit) << what;
+      EXPECT_LE(best.milliseconds, Limit) << what;
     }
   }
 
