@@ -58,8 +58,7 @@ QWidget* ObjectPanel::make_form() {
     for (int axis = 0; axis < 3; ++axis) {
       const QString name = tr("%1, %2").arg(names[index], QString("xyz").mid(axis, 1));
       NumberInfo info{name, tr("%1: %2").arg(name, helps[index]), -LargestNumber, LargestNumber};
-      if (row == Rotation) info.unit = "°";
-      if (row == Rotation) info.step = 5;
+      if (row == Rotation) info = {info.name, info.help, info.minimum, info.maximum, 5, "deg"};
       NumberBox* box = number_box(info, form);
       boxes_[index][static_cast<std::size_t>(axis)] = box;
       layout->addWidget(box, row + 1, axis + 1);

@@ -119,6 +119,8 @@ bool GizmoInput::move(const QMouseEvent& event) {
 bool GizmoInput::release(const QMouseEvent& event) {
   if (std::exchange(ignores_release_, false)) return true;
   if (!is_dragging_ || !gesture_.is_active() || event.button() != Qt::LeftButton) return false;
+  pointer_ = event.position();
+  follow(event.modifiers().testFlag(Qt::ControlModifier));
   finish();
   return true;
 }
