@@ -63,6 +63,17 @@ QPixmap brdf_dock(BrdfEditor::View view) {
   return stage.dock("brdf").grab();
 }
 
+QPixmap placing() {
+  Stage stage({1280, 800});
+  stage.open_as_rendered(Samples + "teapot/scene.grf");
+  stage.act("Rotate gizmo");
+  stage.orbit(0.3, 0, 1);
+  stage.select_patch({0.44, 0.56}, 0);
+  stage.dock("object");
+  stage.settle();
+  return stage.picture();
+}
+
 QPixmap lights_dock() {
   Stage stage;
   stage.open(Samples + "cornell_box/cornell_box.grf");
@@ -194,6 +205,7 @@ std::vector<Picture> manual_pictures() {
       {"messages", messages},
       {"scene", [] { return dock_with_models("scene"); }},
       {"lights", lights_dock},
+      {"placing", placing},
       {"surface", [] { return dock_with_models("surface"); }},
       {"brdf_sphere", [] { return brdf_dock(BrdfEditor::View::Sphere); }},
       {"brdf_lobe", [] { return brdf_dock(BrdfEditor::View::Lobe); }},

@@ -128,6 +128,16 @@ TEST_F(Placing, DragsAnArrowOfTheGizmoAlongItsAxis) {
   EXPECT_EQ(bounds().min.z, 0);
 }
 
+TEST_F(Placing, ClicksGoThroughTheGizmo) {
+  open_text(cube("left", 0, 0, 0) + cube("right", 3, 0, 0));
+  click({0.5, 0.5, 1});
+  ASSERT_EQ(document().selection().count(), 1U);
+  document().select(FaceSelection(document().objects()));
+  click({0.5, 0.5, 0.5});
+  EXPECT_EQ(document().selection().count(), 1U) << "of the face behind the gizmo's middle";
+  EXPECT_EQ(document().undo_stack().count(), 0);
+}
+
 TEST_F(Placing, SnapsToTheGridWithCtrl) {
   open_text(cube("left", 0, 0, 0) + cube("right", 3, 0, 0));
   click({0.5, 0.5, 1});
