@@ -249,10 +249,6 @@ void draw_map_panel(const EnvironmentResult& result, const Picture& picture, plo
   svg.text(BarPlace.corner - Point(0, 8), picture.unit, {11, "#333", Anchor::Start, 0});
 }
 
-std::string degrees_of(double degrees) {
-  return fmt::format("{}{:.4g}\u00B0", degrees < 0 ? "\u2212" : "", std::abs(degrees));
-}
-
 void draw_header(const EnvironmentResult& result, plot::Svg& svg) {
   const EnvironmentSettings& settings = result.settings;
   const transport::Image& image = result.surface.map().image();
@@ -261,10 +257,10 @@ void draw_header(const EnvironmentResult& result, plot::Svg& svg) {
   const std::string normal = settings.tilt == 0
                                  ? std::string("the normal is y")
                                  : fmt::format("the normal is tilted {} from y towards azimuth {}",
-                                               degrees_of(settings.tilt), degrees_of(settings.heading));
+                                               degrees_text(settings.tilt), degrees_text(settings.heading));
   svg.text({Left, 54},
-           fmt::format("viewed at \u03B8 = {}, \u03C6 = {}; {}; under {}, {} \u00D7 {} texels",
-                       degrees_of(settings.theta), degrees_of(settings.phi), normal,
+           fmt::format("{}; {}; under {}, {} \u00D7 {} texels",
+                       viewed_text({settings.theta * Degree, settings.phi * Degree}), normal,
                        result.surface.environment->name, image.width, image.height),
            {13, "#333", Anchor::Start, 0});
 }
