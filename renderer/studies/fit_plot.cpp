@@ -119,7 +119,7 @@ std::optional<ReadFit> read(const ToolState::File& file, bool with_cosine, grf::
   const auto brdf = make_brdf(fit->brdf, diagnostics);
   if (!brdf) return std::nullopt;
   const Vec3f u = direction_of({fit->theta, fit->phi});
-  ReadFit result{std::move(*fit), *brdf, u, file.path.substr(file.path.find_last_of('/') + 1), {}};
+  ReadFit result{std::move(*fit), *brdf, u, grf::file_name(file.path), {}};
   compare(result, with_cosine);
   return result;
 }

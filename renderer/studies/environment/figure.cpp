@@ -52,10 +52,6 @@ SphereView sphere_of(const EnvironmentSettings& settings) {
   return {settings.azimuth, settings.elevation, SphereCentre, SphereRadius};
 }
 
-Rgb linear(const grf::Colour& encoded) {
-  return {grf::srgb_decoded(encoded.x), grf::srgb_decoded(encoded.y), grf::srgb_decoded(encoded.z)};
-}
-
 std::string_view title_of(const EnvironmentSettings& settings) {
   switch (settings.shown()) {
     case Show::Map:
@@ -94,12 +90,12 @@ Picture false_colours(const SphereGrid& grid, const std::vector<double>& values,
     highest = std::max(highest, value);
   }
   const plot::ColourScale scale(std::max(lowest, least), highest);
-  const Rgb absent = linear(svg.shaded(grf::Colour(0.82F)));
+  const Rgb absent = grf::srgb_decoded(svg.shaded(grf::Colour(0.82F)));
   std::array<Rgb, 512> shades;
   const double range = std::log(scale.highest() / scale.lowest());
   for (std::size_t i = 0; i < shades.size(); ++i) {
     const double fraction = static_cast<double>(i) / (shades.size() - 1);
-    shades[i] = linear(scale.colour(scale.lowest() * std::exp(range * fraction)));
+    shades[i] = grf::srgb_decoded(scale.colour(scale.lowest() * std::exp(range * fraction)));
   }
   const auto shade_of = [&](double value) {
     const double fraction = std::log(std::max(value, scale.lowest()) / scale.lowest()) / range;
