@@ -109,6 +109,14 @@ TEST_F(MiniRender, ComparesInEqualTime) {
               HasSubstr("\nB,\"diffuse kd=0.3\",\"diffuse\","));
 }
 
+// Four samples of a highlight that the scheme seldom finds.
+TEST_F(MiniRender, SaysLargeErrorsInWholePercent) {
+  const auto made = outcome("samples=4 width=64", "", "brdf ward sx=0.02 ks=0.9 kd=0.05\nbrdf diffuse\n",
+                            "pdf diffuse\npdf diffuse\n");
+  ASSERT_TRUE(made.study) << made.messages;
+  EXPECT_THAT(made.study->summary, testing::ContainsRegex("estimated error [1-9][0-9][0-9] %"));
+}
+
 TEST_F(MiniRender, IsWrittenInAllFormatsOfImages) {
   const auto made = study(Above + "samples=4");
   for (const char* name : {"a.exr", "a.raw", "a.pfm", "a.hdr"})
@@ -203,6 +211,7 @@ TEST_F(MiniRender, ShowsTheFilesThatWereOpenedLast) {
   EXPECT_THAT(open({"sky.hdr"}), ElementsAre("plane.grf", "plane.op", "sky.hdr"));
   EXPECT_EQ(tool.model(state), nullptr);
   EXPECT_THAT(open({"a.obj"}), ElementsAre("sky.hdr", "a.obj"));
+  ASSERT_NE(tool.model(state), nullptr);
   EXPECT_EQ(tool.model(state)->path, "a.obj");
   EXPECT_THAT(open({"studio.exr", "b.glb"}), ElementsAre("studio.exr", "b.glb"));
   EXPECT_THAT(to_text(state), HasSubstr("shape=model"));

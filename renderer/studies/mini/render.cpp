@@ -46,7 +46,11 @@ struct MiniImage {
 
 std::string caption_of(const MiniImage& image) {
   std::string text = fmt::format("{:.4g} samples per pixel, {:.3g} s", image.samples, image.seconds);
-  if (image.error) text += fmt::format(", estimated error {:.2g} %", 100 * *image.error);
+  if (image.error) {
+    const double percent = 100 * *image.error;
+    text += percent < 99.5 ? fmt::format(", estimated error {:.2g} %", percent)
+                           : fmt::format(", estimated error {:.0f} %", percent);
+  }
   return text;
 }
 

@@ -128,6 +128,20 @@ TEST_F(StudyWindowTest, FollowsItsForm) {
   EXPECT_THAT(studies::to_text(window_.state()), StartsWith("tool fitplot azimuth=10\n"));
 }
 
+TEST_F(StudyWindowTest, SaysWhatToDoInAnEmptyListOfFiles) {
+  auto& files = test::named<QListWidget>(window_, "Files");
+  const auto has_words = [&] {
+    const QImage image = files.viewport()->grab().toImage();
+    QImage plain = image;
+    plain.fill(image.pixelColor(0, image.height() - 1));
+    return image != plain;
+  };
+  EXPECT_TRUE(has_words());
+  files.addItem("");
+  files.setCurrentRow(-1);
+  EXPECT_FALSE(has_words());
+}
+
 TEST_F(StudyWindowTest, AddsAndRemovesFiles) {
   const QString first = fit("a.fit");
   open({first, fit("b.fit")});
