@@ -42,11 +42,13 @@ TEST(HemisphereView, ShowsTheNormalUpwardsFromTheSide) {
 }
 
 TEST(HemisphereView, FitsItsPlaceFromAllSides) {
-  for (double azimuth = -180; azimuth <= 180; azimuth += 15) {
-    for (double elevation = 0; elevation <= 90; elevation += 10) {
+  for (int azimuth = -180; azimuth <= 180; azimuth += 15) {
+    for (int elevation = 0; elevation <= 90; elevation += 10) {
       const HemisphereView view(azimuth, elevation, Place);
-      for (double theta = 0; theta <= 1.58; theta += 0.1) {
-        for (double phi = 0; phi < 6.3; phi += 0.1) {
+      for (int i = 0; i <= 15; ++i) {
+        const double theta = 0.1 * i;
+        for (int k = 0; k <= 62; ++k) {
+          const double phi = 0.1 * k;
           const reflectance::Vec3f v(
               Imath::V3d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
           const plot::Point at = view.point(v);
