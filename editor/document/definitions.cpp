@@ -8,31 +8,12 @@
 
 #include <fmt/format.h>
 
+#include "editor/document/references.h"
 #include "grf/keywords.h"
 #include "grf/visit.h"
 
 namespace editor {
 namespace {
-
-/// Visits each name by which an object refers to a definition; mutable objects allow to change it.
-template <class Brdf, class Action>
-void for_each_term(Brdf& brdf, const Action& action) {
-  for (auto& term : brdf.terms) action(term.brdf);
-}
-
-template <class Surface, class Action>
-void for_each_reference_of_surface(Surface& surface, const Action& action) {
-  const auto of = [&action](auto& attribute) {
-    if (!attribute) return;
-    if (auto* reference = std::get_if<grf::Reference>(&*attribute)) action(*reference);
-  };
-  of(surface.colour);
-  of(surface.brdf);
-  of(surface.pdf);
-  of(surface.texture);
-  if (!surface.brdf) return;
-  if (auto* brdf = std::get_if<grf::BrdfModel>(&*surface.brdf)) for_each_term(*brdf, action);
-}
 
 /// A reference: its owner, and the definition that its name resolves to there (null: none).
 struct FoundReference {

@@ -32,6 +32,7 @@
 #include "editor/window/file_actions.h"
 #include "editor/window/image_controller.h"
 #include "editor/window/job_panel.h"
+#include "editor/window/material_actions.h"
 #include "editor/window/mesh_actions.h"
 #include "editor/window/object_actions.h"
 #include "editor/window/pages.h"
@@ -67,6 +68,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   view_actions_ = new ViewActions(*view_, *this);
   selection_actions_ = new SelectionActions(document_, *view_, *this);
   object_actions_ = new ObjectActions(document_, *view_, *this);
+  material_actions_ = new MaterialActions(document_, *this);
   mesh_actions_ = new MeshActions(document_, jobs_, *this);
   lay_out();
   make_menus();
@@ -189,6 +191,8 @@ void MainWindow::connect_panels() {
   connect(&brdf_editor_->sphere(), &LiveSphere::warned, messages_, &MessagePanel::add_warning);
   connect(mesh_actions_, &MeshActions::status_message, this, &MainWindow::show_status);
   connect(mesh_actions_, &MeshActions::failed, this, &MainWindow::fail);
+  connect(material_actions_, &MaterialActions::status_message, this, &MainWindow::show_status);
+  connect(material_actions_, &MaterialActions::failed, this, &MainWindow::fail);
   connect(object_actions_, &ObjectActions::status_message, this, &MainWindow::show_status);
   connect(view_controller_, &ViewController::failed, this, &MainWindow::fail);
   connect(view_controller_, &ViewController::status_message, this, &MainWindow::show_status);

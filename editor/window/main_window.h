@@ -22,6 +22,7 @@ class ImageBrowser;
 class ImageController;
 class LightPanel;
 class MeshActions;
+class MaterialActions;
 class MessagePanel;
 class ObjectActions;
 class ObjectPanel;
@@ -128,6 +129,7 @@ class MainWindow : public QMainWindow {
   ViewActions* view_actions_ = nullptr;
   SelectionActions* selection_actions_ = nullptr;
   ObjectActions* object_actions_ = nullptr;
+  MaterialActions* material_actions_ = nullptr;
   MeshActions* mesh_actions_ = nullptr;
   BakeController* bake_;
   RecoveryController* recovery_;

@@ -21,6 +21,7 @@
 #include "editor/window/brdf_controller.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/main_window.h"
+#include "editor/window/material_actions.h"
 #include "editor/window/mesh_actions.h"
 #include "editor/window/object_actions.h"
 #include "editor/window/render_controller.h"
@@ -88,6 +89,8 @@ void MainWindow::make_edit_menu() {
   redo->setIcon(icon("redo"));
   addActions({undo, redo});
   menu->addActions({undo, redo});
+  menu->addSeparator();
+  menu->addActions(material_actions_->actions());
   menu->addSeparator();
   menu->addAction(mesh_actions_->delete_faces());
 }

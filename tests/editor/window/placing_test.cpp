@@ -1,5 +1,7 @@
 // Places objects through the whole window, by pointer and keyboard.
+#include <QClipboard>
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QStatusBar>
 #include <QTreeView>
@@ -8,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "editor/controls/notice_bar.h"
 #include "editor/controls/number_box.h"
 #include "editor/document/object_placement.h"
 #include "editor/panels/scene_tree.h"
@@ -35,6 +38,8 @@ std::string cube(const std::string& name, double x, double y, double z) {
          "3)\n"
          "    (0, 4, 6, 2)\n    (1, 3, 7, 5)\n  end faces\nend mesh\n";
 }
+
+grf::ColourAttribute edit_colour() { return grf::Colour(0.25F, 0.5F, 0.75F); }
 
 class Placing : public Authoring {
  protected:
@@ -244,6 +249,43 @@ TEST_F(Placing, MovesAnObjectOfAnIncludedFileByItsPlace) {
   ASSERT_TRUE(document().save(path("scene.grf"), diagnostics)) << diagnostics.to_text();
   std::ifstream part(folder_.path("part.grf"));
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(part), {}), cube("part", 0, 0, 0));
+}
+
+TEST_F(Placing, SendsAMaterialAsTextAndBack) {
+  open_text("def\n  metal = brdf ward sx=0.1\n  both = brdf combine 0.5 metal\nbegin\n" +
+            cube("left", 0, 0, 0) + cube("right", 3, 0, 0) + "end\n");
+  click({0.5, 0.5, 1});
+  SurfaceEdit edit;
+  edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(grf::Reference{"both", {}});
+  edit.colour = AttributeEdit<grf::ColourAttribute>::set(edit_colour());
+  document().edit_surfaces("Surface", edit);
+  test::action(window_, "Copy material").trigger();
+  const QString mail = QGuiApplication::clipboard()->text();
+  EXPECT_THAT(mail.toStdString(), HasSubstr("metal = brdf ward"));
+  document().undo_stack().undo();  // closing asks nothing
+
+  open_text(cube("other", 0, 0, 0));
+  const std::string before = text();
+  click({0.5, 0.5, 1});
+  QGuiApplication::clipboard()->setText("Hello");
+  test::action(window_, "Paste material").trigger();
+  EXPECT_EQ(text(), before);
+  EXPECT_TRUE(window_.notice().isVisible());
+  QGuiApplication::clipboard()->setText(mail);
+  test::action(window_, "Paste material").trigger();
+  EXPECT_EQ(document().undo_stack().count(), 1);
+  EXPECT_THAT(text(), HasSubstr("combine 0.5 metal"));
+  EXPECT_EQ(faces_where([](const grf::Surface& surface) {
+              const auto* brdf = surface.brdf ? std::get_if<grf::Reference>(&*surface.brdf) : nullptr;
+              return brdf != nullptr && brdf->name == "both" && surface.colour == edit_colour();
+            }),
+            1U);
+  // The same text again finds its definitions there.
+  const std::string once = text();
+  test::action(window_, "Paste material").trigger();
+  EXPECT_EQ(text(), once);
+  document().undo_stack().undo();
+  EXPECT_EQ(text(), before);
 }
 
 TEST_F(Placing, TurnsAboutThePivotThatIsChosen) {
