@@ -12,6 +12,7 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolBar>
+#include <QUndoView>
 #include <QVBoxLayout>
 
 #include "editor/appearance/icons.h"
@@ -152,8 +153,16 @@ void MainWindow::make_docks() {
   job_dock_ = docks_.add({"jobs", tr("Jobs"), "jobs", QKeySequence("Ctrl+8"),
                           tr("Running and queued jobs, such as imports and renders")},
                          Qt::BottomDockWidgetArea, new JobPanel(jobs_));
+  auto* steps = new QUndoView(&document_.undo_stack());
+  steps->setEmptyLabel(tr("Opened"));
+  steps->setAccessibleName(tr("Undo steps"));
+  steps->setToolTip(tr("All undo steps; a click goes back or forth to a step"));
+  QDockWidget* history = docks_.add({"history", tr("History"), "undo", QKeySequence("Ctrl+Alt+H"),
+                                     tr("The undo steps, to go back to any of them")},
+                                    Qt::LeftDockWidgetArea, steps);
   splitDockWidget(tree, lights, Qt::Vertical);
   tabifyDockWidget(lights, object);
+  tabifyDockWidget(object, history);
   lights->raise();
   splitDockWidget(surface, brdf_dock_, Qt::Vertical);
   tabifyDockWidget(render_dock_, message_dock_);

@@ -90,6 +90,11 @@ void MainWindow::make_edit_menu() {
   addActions({undo, redo});
   menu->addActions({undo, redo});
   menu->addSeparator();
+  menu->addAction(new_action(
+      *this,
+      {tr("&Find action"), "search", QKeySequence("F3"), tr("Search all actions by name, and run one")},
+      [this] { show_shortcuts(*this); }));
+  menu->addSeparator();
   menu->addActions(material_actions_->actions());
   menu->addSeparator();
   menu->addAction(mesh_actions_->delete_faces());

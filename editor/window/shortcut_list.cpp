@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QTreeWidget>
+#include <QTreeWidgetItemIterator>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -33,19 +34,19 @@ constexpr std::pair<const char*, const char*> Gestures[] = {
     {"Escape", "Cancel a gesture"},
 };
 
-void add_row(QTreeWidgetItem& group, const QAction& action, const QString& before = {}) {
+void add_row(QTreeWidgetItem& group, QAction& action, const QString& before = {}) {
   QStringList keys;
   for (const QKeySequence& each : action.shortcuts()) keys.append(each.toString(QKeySequence::NativeText));
   auto* row = new QTreeWidgetItem(&group, {keys.join(", "), before + action.text().remove('&')});
   row->setToolTip(1, action.statusTip().isEmpty() ? action.toolTip() : action.statusTip());
+  row->setData(1, Qt::UserRole, QVariant::fromValue<QObject*>(&action));
 }
 
 /// Adds the actions of a menu; those of submenus are prefixed by the submenu's name.
 void add_actions(QTreeWidgetItem& group, const QMenu& menu, const QString& before = {}) {
-  for (const QAction* action : menu.actions()) {
+  for (QAction* action : menu.actions()) {
     if (action->menu() != nullptr) add_actions(group, *action->menu(), action->text().remove('&') + ": ");
-    if (!action->isSeparator() && action->menu() == nullptr && !action->shortcut().isEmpty())
-      add_row(group, *action, before);
+    if (!action->isSeparator() && action->menu() == nullptr) add_row(group, *action, before);
   }
 }
 
@@ -69,7 +70,7 @@ void add_keys_of_controls(QTreeWidget& list, const QMainWindow& window) {
   for (const QWidget* control : window.findChildren<QWidget*>()) {
     if (control->accessibleName().isEmpty()) continue;
     auto* group = new_group(list, control->accessibleName());
-    for (const QAction* action : control->actions()) {
+    for (QAction* action : control->actions()) {
       if (is_of_control(*action)) add_row(*group, *action);
     }
     if (group->childCount() == 0) delete group;
@@ -104,19 +105,37 @@ void filter(const QTreeWidget& list, const QString& words) {
   }
 }
 
+/// Runs the action of a row, if it has one that is enabled, and closes the list.
+void run(QDialog& dialog, const QTreeWidgetItem* row) {
+  auto* action =
+      row != nullptr ? qobject_cast<QAction*>(row->data(1, Qt::UserRole).value<QObject*>()) : nullptr;
+  if (action == nullptr || !action->isEnabled()) return;
+  dialog.hide();
+  action->trigger();
+}
+
+/// The first row that the search left, or null.
+QTreeWidgetItem* first_row(const QTreeWidget& list) {
+  for (QTreeWidgetItemIterator each(const_cast<QTreeWidget*>(&list), QTreeWidgetItemIterator::NotHidden);
+       *each != nullptr; ++each) {
+    if ((*each)->parent() != nullptr) return *each;
+  }
+  return nullptr;
+}
+
 QDialog* make_dialog(QMainWindow& window) {
   auto* dialog = new QDialog(&window);
   dialog->setObjectName(ListName);
-  dialog->setWindowTitle(QDialog::tr("Keyboard shortcuts"));
+  dialog->setWindowTitle(QDialog::tr("Actions and keyboard shortcuts"));
   auto* search = new QLineEdit(dialog);
   search->setPlaceholderText(QDialog::tr("Search"));
-  search->setAccessibleName(QDialog::tr("Search the shortcuts"));
+  search->setAccessibleName(QDialog::tr("Search actions and shortcuts"));
   search->setToolTip(
       QDialog::tr("Show only actions whose key, name or description has these words or a synonym"));
   search->setClearButtonEnabled(true);
   auto* list = new QTreeWidget(dialog);
   list->setAccessibleName(QDialog::tr("Shortcuts"));
-  list->setToolTip(QDialog::tr("Keys and their actions"));
+  list->setToolTip(QDialog::tr("Keys and their actions; Return or a double click runs one"));
   list->setHeaderLabels({QDialog::tr("Keys"), QDialog::tr("Action")});
   list->setRootIsDecorated(false);
   list->setIndentation(2 * Grid);
@@ -125,6 +144,10 @@ QDialog* make_dialog(QMainWindow& window) {
   column->addWidget(list, 1);
   QObject::connect(search, &QLineEdit::textChanged, list,
                    [list](const QString& words) { filter(*list, words); });
+  QObject::connect(search, &QLineEdit::returnPressed, dialog,
+                   [dialog, list] { run(*dialog, first_row(*list)); });
+  QObject::connect(list, &QTreeWidget::itemActivated, dialog,
+                   [dialog](const QTreeWidgetItem* row) { run(*dialog, row); });
   dialog->resize(80 * Grid, 90 * Grid);
   return dialog;
 }
@@ -140,6 +163,10 @@ void show_shortcuts(QMainWindow& window) {
   filter(*list, dialog->findChild<QLineEdit*>()->text());
   dialog->show();
   dialog->raise();
+  dialog->activateWindow();
+  auto* search = dialog->findChild<QLineEdit*>();
+  search->setFocus();
+  search->selectAll();
 }
 
 }  // namespace editor

@@ -200,6 +200,14 @@ TEST_F(Accessibility, OfActionsBySynonyms) {
     EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const auto* row) { return !row->isHidden(); }))
         << query;
   }
+  // Return runs the first action that the search left.
+  search->setText("Tile edges of nothing");
+  QTest::keyClick(search, Qt::Key_Return);
+  search->setText("orthographic");
+  const ViewCamera camera = window.view().camera();
+  QTest::keyClick(search, Qt::Key_Return);
+  EXPECT_NE(window.view().camera().is_orthographic(), camera.is_orthographic());
+  EXPECT_FALSE(dialog->isVisible());
   search->setText("zyzzyva");
   for (const QTreeWidgetItem* row : dialog->findChild<QTreeWidget*>()->findItems("", Qt::MatchContains)) {
     EXPECT_TRUE(row->isHidden());
