@@ -21,6 +21,14 @@ namespace editor {
 
 struct SceneHit;
 
+/// A point of a surface that is seen in a view, in world space.
+struct SurfacePoint {
+  FaceId face;
+  grf::Vec3d position;
+  grf::Vec3d normal;          ///< unit, toward the eye; interpolated where vertices have normals
+  grf::Vec3d view_direction;  ///< from the eye
+};
+
 /// Displays a scene, and handles selection and dragging. It edits nothing: gestures emit signals, and their
 /// effect arrives by `show` and `set_selection`. The image is rendered asynchronously in a thread, which also
 /// evaluates boxes and lassos.
@@ -88,6 +96,8 @@ class SceneView : public QWidget {
   bool is_selecting() const { return pending_region_.has_value(); }
   /// The face that a click at this position of the widget would select.
   std::optional<FaceId> face_at(const QPointF& pixel) const;
+  /// The point of this face.
+  std::optional<SurfacePoint> surface_at(const QPointF& pixel) const;
   /// The handles of lights, observers and the camera.
   const std::vector<SceneHandle>& handles() const { return handles_.handles(); }
 
