@@ -89,10 +89,14 @@ QWidget* LightPanel::make_buttons() {
       tr("Add a rectangular light above the scene, facing down; the arrow has discs and spheres"),
       [this] { add(); }, row);
   auto* menu = new QMenu(add_button);
-  const std::array shapes = {std::pair(tr("&Rectangle"), LampShape::Rectangle),
-                             std::pair(tr("&Disc"), LampShape::Disc),
-                             std::pair(tr("&Sphere"), LampShape::Sphere)};
-  for (const auto& [name, shape] : shapes) menu->addAction(name, this, [this, each = shape] { add(each); });
+  const auto add_shape = [this, menu](const QString& name, const QString& tip, LampShape shape) {
+    menu->addAction(name, this, [this, shape] { add(shape); })->setToolTip(tip);
+  };
+  add_shape(tr("&Rectangle"), tr("Add a rectangular light above the scene, facing down"),
+            LampShape::Rectangle);
+  add_shape(tr("&Disc"), tr("Add a disc above the scene, facing down: a mesh light"), LampShape::Disc);
+  add_shape(tr("&Sphere"), tr("Add a spherical light above the scene: a mesh light"), LampShape::Sphere);
+  menu->setToolTipsVisible(true);
   add_button->setMenu(menu);
   add_button->setPopupMode(QToolButton::MenuButtonPopup);
   layout->addWidget(add_button);
