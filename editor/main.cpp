@@ -74,7 +74,11 @@ int make_figure(const QString& state_file, const QString& tool_name, const QStri
       return fail(QString("the state %1 is of the tool %2")
                       .arg(state_file, QString::fromStdString(state->settings.keyword)));
   }
-  for (const QString& file : files) state->files.push_back({file.toStdString(), {}});
+  if (const auto tool = studies::study_tool(state->settings.keyword)) {
+    std::vector<std::string> paths;
+    for (const QString& file : files) paths.push_back(file.toStdString());
+    open_files(*tool, paths, *state, diagnostics);
+  }
   const auto study = study_of(*state, {plot::Paper::White, {}, {}, {}, editor::read_any_scene}, diagnostics);
   if (!study || !write_picture(study->figure, output.toStdString(), diagnostics)) return report();
   std::cout << study->summary << '\n';

@@ -1,6 +1,7 @@
 #include "grf/catalogue.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <variant>
@@ -51,12 +52,16 @@ std::optional<std::string> wrong_value(const Value& value, const ParameterInfo& 
   }
   if (parameter.kind == ParameterKind::Word) return wrong_word(value, parameter.choices);
   const std::string range = range_of(parameter);
+  const std::string_view kind = parameter.is_whole ? "a whole number" : "a number";
   if (number != nullptr) {
-    if (in_range(*number, parameter)) return std::nullopt;
-    return fmt::format("{} is out of range, expected a number {}", *number, range);
+    if (!in_range(*number, parameter))
+      return fmt::format("{} is out of range, expected {} {}", *number, kind, range);
+    if (parameter.is_whole && *number != std::round(*number))
+      return fmt::format("{} is not whole, expected {} {}", *number, kind, range);
+    return std::nullopt;
   }
   const auto* colour = std::get_if<Colour>(&value);
-  if (parameter.kind != ParameterKind::Reflectance) return fmt::format("expected a number {}", range);
+  if (parameter.kind != ParameterKind::Reflectance) return fmt::format("expected {} {}", kind, range);
   if (colour == nullptr) return fmt::format("expected a number, or three in parentheses, {}", range);
   for (const float component : {colour->x, colour->y, colour->z}) {
     if (!in_range(component, parameter)) {

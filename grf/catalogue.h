@@ -29,6 +29,7 @@ struct ParameterInfo {
   float minimum = 0;
   float maximum = 1;
   float default_value = 0;
+  bool is_whole = false;              ///< of a number: only whole numbers are valid
   std::optional<Colour> default_rgb;  ///< the default if its channels differ; default_value is the first one
   std::vector<std::string_view> choices;  ///< the words allowed; default_value is the index of the default
   std::string_view default_from;          ///< the parameter whose value is the default; empty: default_value

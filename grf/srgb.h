@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "grf/math.h"
+
 namespace grf {
 
 /// The sRGB transfer function (IEC 61966-2-1), from linear values to those of 8-bit files and screens. Both
@@ -17,6 +19,11 @@ template <class Number>
 Number srgb_decoded(Number encoded) {
   if (encoded <= Number(0.04045)) return encoded / Number(12.92);
   return std::pow((encoded + Number(0.055)) / Number(1.055), Number(2.4));
+}
+
+/// Decodes the channels of a colour.
+inline Colour srgb_decoded(const Colour& encoded) {
+  return {srgb_decoded(encoded.x), srgb_decoded(encoded.y), srgb_decoded(encoded.z)};
 }
 
 }  // namespace grf

@@ -256,6 +256,8 @@ std::string path_beside(const std::string& naming_file, std::string_view name) {
   return (std::filesystem::path(naming_file).parent_path() / portable).lexically_normal().string();
 }
 
+std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
 bool is_igrf_name(const std::string& path) {
   return same_keyword(std::filesystem::path(path).extension().string(), ".igrf");
 }

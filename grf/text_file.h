@@ -56,6 +56,9 @@ bool replace_files(const std::vector<NewFile>& files, Diagnostics& diagnostics);
 /// separators.
 std::string path_beside(const std::string& naming_file, std::string_view name);
 
+/// Returns the name of a file without its folders.
+std::string file_name(const std::string& path);
+
 /// Returns whether a file's name ends in `.igrf`: it carries irradiance.
 bool is_igrf_name(const std::string& path);
 

@@ -69,6 +69,7 @@ NumberBox* ParameterRow::new_box(const QString& name) {
   auto* box = new NumberBox(this);
   box->set_range(slider_start(parameter_), slider_end(parameter_));
   box->set_logarithmic(parameter_.scale == grf::ParameterScale::Logarithmic);
+  if (parameter_.is_whole) box->set_whole(true);
   box->set_unit(text_of(parameter_.unit));
   box->set_help(text_of(parameter_.help));
   box->setAccessibleName(name);
@@ -82,6 +83,7 @@ void ParameterRow::add_number() {
   slider_->set_range(
       slider_start(parameter_), slider_end(parameter_),
       parameter_.scale == grf::ParameterScale::Logarithmic ? SliderScale::Logarithmic : SliderScale::Linear);
+  slider_->set_whole(parameter_.is_whole);
   slider_->setToolTip(help_of(parameter_));
   slider_->setAccessibleName(name);
   slider_->setMinimumWidth(6 * Grid);

@@ -80,7 +80,11 @@ int ScaledSlider::position_of(double number) const {
 
 void ScaledSlider::move_to(int position) {
   if (is_updating_) return;
-  number_ = number_at(position);
+  double next = number_at(position);
+  if (is_whole_) next = std::round(next);
+  if (is_whole_ && !isSliderDown() && next == number_)
+    next = std::clamp(next + (position > position_of(number_) ? 1 : -1), minimum_, maximum_);
+  number_ = next;
   has_moved_ = true;
   emit changing(number_);
   if (!isSliderDown()) settling_.start();

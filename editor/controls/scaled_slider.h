@@ -18,6 +18,8 @@ class ScaledSlider : public QSlider {
   /// Sets the range. A logarithmic scale that begins at 0 or below is linear near 0, under a millionth of the
   /// maximum.
   void set_range(double minimum, double maximum, SliderScale scale);
+  /// Makes the numbers integers, of which a key or the wheel reaches each.
+  void set_whole(bool is_whole) { is_whole_ = is_whole; }
   /// Sets the number, without a signal. Numbers out of range are shown at the end.
   void set_number(double number);
   double number() const { return number_; }
@@ -40,6 +42,7 @@ class ScaledSlider : public QSlider {
   double maximum_ = 1;
   double number_ = 0;
   SliderScale scale_ = SliderScale::Linear;
+  bool is_whole_ = false;
   bool is_updating_ = false;  // the position follows a number that was set
   bool has_moved_ = false;
   QTimer settling_;  // of keys and wheel

@@ -52,29 +52,33 @@ QWidget* ObjectPanel::make_form() {
   const std::array<QString, 3> helps = {tr("translation relative to the parent, after rotation and scale"),
                                         tr("rotation about the axis; about x first, then y, then z"),
                                         tr("scale factor, applied first; not 0")};
+  for (int axis = 0; axis < 3; ++axis) {
+    auto* letter = new QLabel(QString("XYZ").mid(axis, 1), form);
+    letter->setAlignment(Qt::AlignCenter);
+    layout->addWidget(letter, 1, axis + 1);
+  }
   for (int row = 0; row < 3; ++row) {
     const auto index = static_cast<std::size_t>(row);
-    layout->addWidget(new QLabel(names[index], form), row + 1, 0);
+    layout->addWidget(new QLabel(names[index], form), row + 2, 0);
     for (int axis = 0; axis < 3; ++axis) {
       const QString name = tr("%1, %2").arg(names[index], QString("xyz").mid(axis, 1));
       NumberInfo info{name, tr("%1: %2").arg(name, helps[index]), -LargestNumber, LargestNumber};
-      if (row == Rotation) info.unit = "°";
-      if (row == Rotation) info.step = 5;
+      if (row == Rotation) info = {info.name, info.help, info.minimum, info.maximum, 5, "deg"};
       NumberBox* box = number_box(info, form);
       boxes_[index][static_cast<std::size_t>(axis)] = box;
-      layout->addWidget(box, row + 1, axis + 1);
+      layout->addWidget(box, row + 2, axis + 1);
       connect_number(
           box, this, [this, row, axis](double number) { take(static_cast<Row>(row), axis, number); },
           [this] { document_.finish_gesture(); });
     }
   }
-  layout->addWidget(new QLabel(tr("Size"), form), 4, 0);
+  layout->addWidget(new QLabel(tr("Size"), form), 5, 0);
   size_ = new QLabel(form);
   size_->setToolTip(tr("Size of the object's bounds in world space, along x, y and z"));
-  layout->addWidget(size_, 4, 1, 1, 3);
+  layout->addWidget(size_, 5, 1, 1, 3);
   note_ = hint_label({}, form);
-  layout->addWidget(note_, 5, 0, 1, 4);
-  layout->setRowStretch(6, 1);
+  layout->addWidget(note_, 6, 0, 1, 4);
+  layout->setRowStretch(7, 1);
   return form;
 }
 

@@ -83,7 +83,6 @@ BrdfViewerWindow::BrdfViewerWindow(const GraphicsDriver& driver, QWidget* parent
   });
   resting_->setSingleShot(true);
   connect(resting_, &QTimer::timeout, this, &BrdfViewerWindow::show_speed);
-  request();
 }
 
 BrdfViewerWindow::~BrdfViewerWindow() = default;
@@ -136,8 +135,8 @@ ShaderTextView& BrdfViewerWindow::shader_text() {
 QString BrdfViewerWindow::pointed_text() { return pointed().text(); }
 
 bool BrdfViewerWindow::is_busy() const {
-  return compiling_.is_busy() || object_.name != wanted_object_ || map_.path != wanted_map_ ||
-         view_->is_busy();
+  return !has_followed() || compiling_.is_busy() || object_.name != wanted_object_ ||
+         map_.path != wanted_map_ || view_->is_busy();
 }
 
 bool BrdfViewerWindow::has_picture() const { return view_->is_current() && !view_->image().image.isNull(); }

@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
+#include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -16,6 +17,22 @@
 
 namespace editor {
 namespace {
+
+/// A list that says what to do while it is empty.
+class FileList : public QListWidget {
+ public:
+  using QListWidget::QListWidget;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QListWidget::paintEvent(event);
+    if (count() > 0) return;
+    QPainter painter(viewport());
+    painter.setPen(colours_of(theme_of(palette())).faint_text);
+    painter.drawText(viewport()->rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                     StudyForm::tr("Open a file, or drop it here"));
+  }
+};
 
 /// `BRDF`, or `BRDF A` and `BRDF B` if there are two.
 QString numbered(const QString& name, std::size_t index, std::size_t count) {
@@ -88,7 +105,7 @@ void StudyForm::add_models() {
 }
 
 void StudyForm::add_files() {
-  files_ = new QListWidget(this);
+  files_ = new FileList(this);
   files_->setAccessibleName(tr("Files"));
   files_->setToolTip(tr("The files that are shown; drop others here or on the figure"));
   files_->setFixedHeight((tool_.takes_many_files ? 10 : 4) * Grid);

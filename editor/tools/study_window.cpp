@@ -35,6 +35,8 @@ StudyWindow::StudyWindow(const studies::StudyTool& tool, QWidget* parent)
   stop_ = new_action(
       *this, {tr("&Stop"), "stop", QKeySequence(Qt::Key_Escape), tr("Stop computing the figure")}, [this] {
         job_.stop();
+        if (!model_) wanted_model_.clear();
+        loader_.cancel();
         show_busy(false);
       });
   view_menu().addAction(stop_);
@@ -51,14 +53,36 @@ StudyWindow::StudyWindow(const studies::StudyTool& tool, QWidget* parent)
   });
   slow_->setSingleShot(true);
   connect(slow_, &QTimer::timeout, this, [this] { progress_->show(); });
-  request();
+  connect(&loader_, &SceneLoader::loaded, this, [this](const std::shared_ptr<const LoadedScene>& scene) {
+    model_ = scene;
+    request();
+  });
+  connect(&loader_, &SceneLoader::failed, this, [this](const LoadFailure& failure) {
+    wanted_model_.clear();
+    show_outcome({{}, failure.message, true});
+  });
 }
 
 StudyWindow::~StudyWindow() = default;
 
 bool StudyWindow::has_picture() const { return study_ ? !figure_->image().isNull() : !is_busy(); }
 
-bool StudyWindow::is_busy() const { return job_.is_busy() || figure_->is_busy(); }
+bool StudyWindow::is_busy() const {
+  return !has_followed() || is_loading() || job_.is_busy() || figure_->is_busy();
+}
+
+bool StudyWindow::is_loading() const { return !wanted_model_.isEmpty() && !model_; }
+
+/// Has the model of the state loaded, unless it is.
+void StudyWindow::request_model() {
+  const studies::ToolState::File* file = tool().model != nullptr ? tool().model(state()) : nullptr;
+  const QString path = file != nullptr ? QString::fromStdString(file->path) : QString();
+  if (path == wanted_model_) return;
+  wanted_model_ = path;
+  model_.reset();
+  loader_.cancel();
+  if (!path.isEmpty()) loader_.start(path);
+}
 
 std::optional<studies::Study> StudyWindow::shown_study() const { return is_busy() ? std::nullopt : study_; }
 
@@ -69,14 +93,18 @@ std::vector<studies::DataFile> StudyWindow::data_files() const {
 void StudyWindow::request() {
   const plot::Paper paper = theme_of(palette()) == Theme::Dark ? plot::Paper::Dark : plot::Paper::White;
   show_busy(true);
+  request_model();
+  if (is_loading()) return job_.stop();
   job_.start(
-      [window = QPointer<StudyWindow>(this), state = state(), paper, cache = cache_](const StopFlag& stop) {
+      [window = QPointer<StudyWindow>(this), state = state(), paper, cache = cache_,
+       model = model_](const StopFlag& stop) {
         auto outcome = std::make_shared<Outcome>();
         grf::Diagnostics diagnostics;
         studies::StudyContext context;
         context.paper = paper;
         context.is_stopped = [stop] { return stop.is_set(); };
         context.cache = cache;
+        if (model) context.read_scene = [model](const auto&, auto&) { return model->model.scene; };
         context.refined = [window, stop](const studies::Study& study) {
           QMetaObject::invokeMethod(
               qApp,
@@ -130,7 +158,7 @@ void StudyWindow::show_busy(bool is_busy) {
 }
 
 void StudyWindow::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) request();
+  if (event->type() == QEvent::PaletteChange) follow();
   ToolWindow::changeEvent(event);
 }
 

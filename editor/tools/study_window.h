@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "editor/document/scene_loader.h"
 #include "editor/tools/tool_window.h"
 
 class QProgressBar;
@@ -38,6 +39,8 @@ class StudyWindow : public ToolWindow {
     bool has_errors = false;
   };
 
+  bool is_loading() const;
+  void request_model();
   void show_outcome(Outcome outcome);
   void show_study(studies::Study study);
   void show_busy(bool is_busy);
@@ -45,6 +48,9 @@ class StudyWindow : public ToolWindow {
   std::optional<studies::Study> study_;
   std::shared_ptr<studies::StudyCache> cache_ = std::make_shared<studies::StudyCache>();
   BackgroundJob<std::shared_ptr<Outcome>> job_{this};
+  SceneLoader loader_;
+  QString wanted_model_;                      ///< that the state shows; empty: none
+  std::shared_ptr<const LoadedScene> model_;  ///< the wanted one; null until it is loaded
   FigureView* figure_;
   QProgressBar* progress_;
   QTimer* slow_;  ///< until the progress is shown

@@ -23,6 +23,7 @@
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/notice_bar.h"
 #include "editor/controls/text.h"
+#include "editor/document/model_import.h"
 #include "editor/tools/scene_reading.h"
 #include "editor/tools/study_form.h"
 #include "grf/text_file.h"
@@ -48,8 +49,9 @@ studies::StudyContext export_context() {
 
 /// Sets a number among the settings of a state, within its range.
 void set_number(const grf::ParameterInfo& parameter, double value, studies::ToolState& state) {
-  const auto number = static_cast<float>(std::clamp<double>(value, parameter.minimum, parameter.maximum));
-  studies::set_number(state.settings, parameter.name, number);
+  const double inside = std::clamp<double>(value, parameter.minimum, parameter.maximum);
+  const auto number = static_cast<float>(parameter.is_whole ? std::round(inside) : inside);
+  studies::set_value(state.settings, parameter.name, number);
 }
 
 }  // namespace
@@ -82,6 +84,14 @@ void ToolWindow::begin(QWidget* canvas) {
   make_view_menu();
   resize(150 * Grid, 88 * Grid);
   restoreGeometry(QSettings().value("tools/" + text_of(tool_.name()) + "/geometry").toByteArray());
+  QTimer::singleShot(0, this, [this] {
+    if (!has_followed_) follow();
+  });
+}
+
+void ToolWindow::follow() {
+  has_followed_ = true;
+  request();
 }
 
 void ToolWindow::set_animation(int interval, int steps) {
@@ -226,7 +236,7 @@ void ToolWindow::set_state(const studies::ToolState& state) { show_edited(state,
 void ToolWindow::edit(const studies::ToolState& state, bool is_done) {
   state_ = state;
   if (is_done) remember();
-  request();
+  follow();
 }
 
 /// Makes the current state an undo step, unless it is one.
@@ -246,7 +256,7 @@ void ToolWindow::go_to(std::size_t step) {
   state_ = steps_[step_];
   form_->set_state(state_);
   remember();
-  request();
+  follow();
 }
 
 double ToolWindow::setting(std::string_view name) const {
@@ -313,7 +323,7 @@ bool ToolWindow::read(const QString& text, const QString& path) {
 
 void ToolWindow::open(const QStringList& files) {
   studies::ToolState state = state_;
-  bool has_files = false;
+  std::vector<std::string> shown;
   for (const QString& path : files) {
     if (QFileInfo(path).suffix().toLower() == StateExtension || tool_.files.empty()) {
       grf::Diagnostics diagnostics;
@@ -323,13 +333,11 @@ void ToolWindow::open(const QStringList& files) {
       state = state_;
       continue;
     }
-    if (!tool_.takes_many_files) state.files.clear();
-    state.files.push_back({path.toStdString(), {}});
-    has_files = true;
+    shown.push_back(path.toStdString());
   }
-  if (!has_files) return;
+  if (shown.empty()) return;
   grf::Diagnostics diagnostics;
-  if (tool_.open != nullptr) tool_.open(state, diagnostics);
+  open_files(tool_, shown, state, diagnostics);
   set_state(state);
 }
 
@@ -337,6 +345,8 @@ void ToolWindow::ask_for_files() {
   QStringList patterns = {QString("*.%1").arg(StateExtension)};
   for (const QString& extension : QString::fromStdString(tool_.files).split(' ', Qt::SkipEmptyParts))
     patterns.append("*." + extension);
+  if (tool_.model != nullptr) patterns += ModelImport::name_patterns();
+  patterns.removeDuplicates();
   open(QFileDialog::getOpenFileNames(this, tr("Open"), {},
                                      tr("Files of this tool (%1)").arg(patterns.join(' '))));
 }

@@ -64,11 +64,17 @@ class ToolWindow : public QMainWindow {
 
  protected:
   explicit ToolWindow(const studies::StudyTool& tool, QWidget* parent);
-  /// Lays the window out, with the form beside the widget that shows the state, and makes its menus.
+  /// Lays the window out, with the form beside the widget that shows the state, and makes its menus. The
+  /// first state is shown from the event loop, so that it is not the initial one if files are opened until
+  /// then.
   void begin(QWidget* canvas);
 
+  /// Has the picture follow the state.
+  void follow();
   /// Called with each new state, which is to be shown.
   virtual void request() = 0;
+  /// Whether a state was shown yet.
+  bool has_followed() const { return has_followed_; }
   /// The study that is shown, if it follows from the state: to make it once more may take long.
   virtual std::optional<studies::Study> shown_study() const { return std::nullopt; }
   /// The formats in which its data can be exported.
@@ -117,6 +123,7 @@ class ToolWindow : public QMainWindow {
   studies::ToolState state_;
   std::vector<studies::ToolState> steps_;  ///< of undo; the current one is at `step_`
   std::size_t step_ = 0;
+  bool has_followed_ = false;
   BackgroundJob<QString> writing_{this};
 
   NoticeBar* notice_;

@@ -93,13 +93,15 @@ bool GizmoInput::press(const QMouseEvent& event) {
     if (event.button() == Qt::RightButton) cancel();
     return true;
   }
-  if (event.button() != Qt::LeftButton || !gesture_.tool()) return false;
+  const bool is_selecting = event.modifiers() & (Qt::ShiftModifier | Qt::AltModifier);
+  if (event.button() != Qt::LeftButton || is_selecting || !gesture_.tool()) return false;
   const GizmoWindow window{view_.camera(), view_.window_size()};
   const auto part = gesture_.part_at(pixel_at(*pointer_), window);
   if (!part) return false;
   view_.setFocus(Qt::MouseFocusReason);
   gesture_.begin(*gesture_.tool(), *part, pixel_at(*pointer_), window);
   is_dragging_ = true;
+  pressed_at_ = event.position();
   show();
   return true;
 }
@@ -119,6 +121,14 @@ bool GizmoInput::move(const QMouseEvent& event) {
 bool GizmoInput::release(const QMouseEvent& event) {
   if (std::exchange(ignores_release_, false)) return true;
   if (!is_dragging_ || !gesture_.is_active() || event.button() != Qt::LeftButton) return false;
+  if (event.position() == pressed_at_) {
+    // What lies behind the gizmo can be clicked.
+    cancel();
+    view_.click(event.position(), event.modifiers());
+    return true;
+  }
+  pointer_ = event.position();
+  follow(event.modifiers().testFlag(Qt::ControlModifier));
   finish();
   return true;
 }

@@ -63,6 +63,7 @@ class GizmoInput : public QObject {
   bool is_dragging_ = false;      // with the button
   bool ignores_release_ = false;  // of the button that ended a gesture
   std::optional<QPointF> pointer_;
+  QPointF pressed_at_;
 };
 
 }  // namespace editor

@@ -96,8 +96,10 @@ class SceneView : public QWidget {
   bool is_selecting() const { return pending_region_.has_value(); }
   /// The face that a click at this position of the widget would select.
   std::optional<FaceId> face_at(const QPointF& pixel) const;
-  /// The point of this face.
+  /// The point of the surface there.
   std::optional<SurfacePoint> surface_at(const QPointF& pixel) const;
+  /// Selects as a click at this position of the widget does.
+  void click(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
   /// The handles of lights, observers and the camera.
   const std::vector<SceneHandle>& handles() const { return handles_.handles(); }
 
@@ -164,7 +166,6 @@ class SceneView : public QWidget {
   void end_handle();
   void end_region(Qt::KeyboardModifiers modifiers);
   void take_region(const FaceSelection& selected, std::int64_t state);
-  void click(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
   void toggle_middle();
   void make_selection(FaceSelection made, Qt::KeyboardModifiers modifiers);
 

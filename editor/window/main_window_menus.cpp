@@ -56,7 +56,7 @@ void MainWindow::make_menus() {
   view_actions_->fill(*view);
   view->addSeparator();
   render_controller_->fill(*view);
-  object_actions_->fill(*add_menu(*menuBar(), tr("&Object")));
+  object_actions_->fill(*add_menu(*menuBar(), tr("Ob&ject")));
   make_scene_menu();
   QMenu* render = add_menu(*menuBar(), tr("&Render"));
   render->addActions({render_->preview_action(), render_->render_action(), render_->stop_action()});

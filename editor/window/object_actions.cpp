@@ -99,7 +99,7 @@ void ObjectActions::make_options() {
                            update_target();
                          }),
               new_switch(window_,
-                         {tr("S&nap"), "grid", QKeySequence("Ctrl+Alt+S"),
+                         {tr("S&nap"), "snap", QKeySequence("Ctrl+Alt+S"),
                           tr("Snap to the grid, to 5° and to factors of 0.1; Ctrl inverts it")},
                          false, [this](bool is_on) { gizmo_->set_snapping(is_on); })};
 }

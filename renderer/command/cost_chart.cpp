@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "grf/text_file.h"
 #include "renderer/plot/chart.h"
 
 namespace command {
@@ -94,9 +94,8 @@ plot::Svg cost_chart(const CostResult& result) {
   plot::Svg svg(2 * width + 30, ChartHeight + 20);
   plot::Chart over_time =
       chart_of(result, "render time, s", [](const CostRow& row) { return row.render_seconds; });
-  over_time.title =
-      fmt::format("{}, {}x{} pixels, {} thread{}", std::filesystem::path(result.scene).filename().string(),
-                  result.width, result.height, result.threads, result.threads == 1 ? "" : "s");
+  over_time.title = fmt::format("{}, {}x{} pixels, {} thread{}", grf::file_name(result.scene), result.width,
+                                result.height, result.threads, result.threads == 1 ? "" : "s");
   const plot::Chart over_samples = chart_of(
       result, "samples per pixel", [](const CostRow& row) { return static_cast<double>(row.samples); });
   draw(over_time, {{10, 10}, width, ChartHeight}, svg);

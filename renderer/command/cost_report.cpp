@@ -1,7 +1,6 @@
 #include "renderer/command/cost_report.h"
 
 #include <cmath>
-#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -104,7 +103,7 @@ std::string words_of(const CostLineResult& result) {
 std::string words_of_reference(const CostResult& result) {
   if (!result.reference_path.empty()) {
     return fmt::format("The reference is {}, whose own error is unknown and not subtracted.",
-                       std::filesystem::path(result.reference_path).filename().string());
+                       grf::file_name(result.reference_path));
   }
   return fmt::format(
       "The reference has {} samples per pixel by `path` with other seeds, depth {}; its own error is {}, "
@@ -145,8 +144,7 @@ const std::vector<std::string> Titles = {"line",       "samples",    "build s",
 
 std::string markdown_of(const CostResult& result, const std::string& picture) {
   std::string text = fmt::format("# Error against render time: {}\n\n{}\n\n![error over time]({})\n\n",
-                                 std::filesystem::path(result.scene).filename().string(),
-                                 words_of_measures(result), picture);
+                                 grf::file_name(result.scene), words_of_measures(result), picture);
   for (const CostLineResult& one : result.lines) {
     text += fmt::format("- **{}**: {}\n", one.line.name, words_of(one));
   }
@@ -231,7 +229,7 @@ std::string text_of(const CostResult& result) {
 }
 
 bool write_cost_files(const CostResult& result, const std::string& base, grf::Diagnostics& diagnostics) {
-  const std::string picture = std::filesystem::path(base).filename().string() + ".svg";
+  const std::string picture = grf::file_name(base) + ".svg";
   bool written = grf::replace_file(base + ".csv", csv_of(result), diagnostics);
   written &= grf::replace_file(base + ".md", markdown_of(result, picture), diagnostics);
   return plot::write_picture(cost_chart(result), base + ".svg", diagnostics) && written;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "grf/text_file.h"
 #include "grf/wording.h"
 #include "renderer/job/render_job.h"
 #include "renderer/transport/plan/table_bytes.h"
@@ -95,7 +96,7 @@ void print_text(const Json& report) {
   }
   for (const Json& texture : report["textures"]) {
     fmt::print("{} texture `{}`, {}: {}{}\n", sign(texture),
-               std::filesystem::path(texture["file"].get<std::string>()).filename().string(),
+               grf::file_name(texture["file"].get<std::string>()),
                texture["file_bytes"].is_null() ? "no such file" : bytes_text(texture["file_bytes"]),
                texture["why"].get<std::string>(),
                texture["needed"].get<bool>() ? "" : "; a render does not check that the file exists");

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "grf/text_file.h"
 #include "grf/wording.h"
 
 namespace command {
@@ -16,8 +17,6 @@ namespace {
 nlohmann::json entry(const std::string& name, const std::string& why) {
   return {{"name", name}, {"why", why}};
 }
-
-std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 /// Sums the sizes of the textures that are left out; missing files count as 0.
 std::uintmax_t left_out_texture_bytes(const transport::Plan& plan) {
@@ -45,7 +44,7 @@ void add_plan(const transport::Plan& plan, nlohmann::json& summary) {
       left_out.push_back(entry("table of " + table.brdf + " for " + table.scheme, table.why));
   }
   for (const transport::PlannedTexture& texture : plan.textures) {
-    if (!texture.is_needed) left_out.push_back(entry("texture " + file_name(texture.file), texture.why));
+    if (!texture.is_needed) left_out.push_back(entry("texture " + grf::file_name(texture.file), texture.why));
   }
   if (plan.depth < plan.asked_depth) {
     left_out.push_back(

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "grf/wording.h"
 #include "renderer/plot/chart.h"
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/light_angles.h"
@@ -185,12 +186,6 @@ void draw_row(const Row& row, double top, plot::Svg& svg) {
   }
 }
 
-std::string memory_text(std::size_t bytes) {
-  if (bytes < 1000) return fmt::format("{} bytes", bytes);
-  return bytes < 1'000'000 ? fmt::format("{:.3g} KB", static_cast<double>(bytes) / 1e3)
-                           : fmt::format("{:.3g} MB", static_cast<double>(bytes) / 1e6);
-}
-
 std::string time_text(double seconds) {
   if (seconds < 1e-3) return fmt::format("{:.3g} \u00B5s", 1e6 * seconds);
   return seconds < 1 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
@@ -205,7 +200,8 @@ std::string costs_of(const SampledInstance& instance, const std::vector<Row>& ro
   }
   std::string tables = "no tables";
   if (const std::size_t bytes = instance.reflector.bytes(); bytes > 0) {
-    tables = fmt::format("tables: {}, built in {}", memory_text(bytes), time_text(instance.build_seconds));
+    tables =
+        fmt::format("tables: {}, built in {}", grf::bytes_text(bytes), time_text(instance.build_seconds));
   }
   return fmt::format("{}   \u00B7   {:.0f} ns per sample   \u00B7   cosine-weighted: {:.3g} %", tables,
                      1e9 * seconds / static_cast<double>(std::max<std::size_t>(1, count)),

@@ -48,10 +48,11 @@ double rounded_down(double value) {
          });
 }
 
-/// Formats a tick as `1e-4` or `0.02`.
+/// Formats a tick as `5e-4` or `0.02`.
 std::string tick_label(double value) {
-  return value >= 0.01 && value < 1e4 ? fmt::format("{:.4g}", value)
-                                      : fmt::format("1e{:.0f}", std::log10(value));
+  if (value >= 0.01 * (1 - Slack) && value < 1e4) return fmt::format("{:.4g}", value);
+  const double exponent = std::floor(std::log10(value) + Slack);
+  return fmt::format("{:.0f}e{:.0f}", value / std::pow(10, exponent), exponent);
 }
 
 /// Returns powers of ten, and 2 and 5 times those if they are few.

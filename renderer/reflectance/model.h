@@ -256,6 +256,13 @@ Parameter<Model> number_parameter(float Model::*field, std::string_view name, fl
   return {field, std::move(info)};
 }
 
+/// Returns the row of a number that is to be whole, such as a count.
+template <class Model>
+Parameter<Model> whole(Parameter<Model> parameter) {
+  parameter.info.is_whole = true;
+  return parameter;
+}
+
 /// Returns the row with a unit added.
 template <class Model>
 Parameter<Model> in_unit(std::string_view unit, Parameter<Model> parameter) {

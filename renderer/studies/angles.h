@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "renderer/reflectance/geometry.h"
 
@@ -23,5 +24,11 @@ inline reflectance::Vec3f direction_of(const Angles& angles) {
   return {static_cast<float>(sine * std::cos(angles.phi)), static_cast<float>(sine * std::sin(angles.phi)),
           static_cast<float>(std::cos(angles.theta))};
 }
+
+/// Returns an angle in degrees with four digits, such as "−40°".
+std::string degrees_text(double degrees);
+
+/// Returns the words "viewed at θ = 40°, φ = 180°", with φ within half a turn.
+std::string viewed_text(const Angles& view);
 
 }  // namespace studies

@@ -17,10 +17,6 @@ using reflectance::Vec3f;
 
 constexpr int Subpixels = 2;  // along a side
 
-Rgb linear(const grf::Colour& encoded) {
-  return {grf::srgb_decoded(encoded.x), grf::srgb_decoded(encoded.y), grf::srgb_decoded(encoded.z)};
-}
-
 DiscMap::Pixel pixel_at(int column, int row, const std::function<double(const Vec3f&)>& function) {
   double sum = 0;
   int inside = 0;
@@ -60,9 +56,9 @@ DiscMap::DiscMap(const std::function<double(const Vec3f&)>& function) {
 
 void draw(const DiscMap& map, const plot::ColourScale& scale, const plot::Rectangle& place, plot::Svg& svg) {
   transport::Image image{DiscMap::Side, DiscMap::Side, {}};
-  const Rgb background = linear(svg.shaded(grf::Colour(1)));
+  const Rgb background = grf::srgb_decoded(svg.shaded(grf::Colour(1)));
   for (const DiscMap::Pixel& pixel : map.pixels()) {
-    const Rgb colour = linear(scale.colour(pixel.value));
+    const Rgb colour = grf::srgb_decoded(scale.colour(pixel.value));
     image.pixels.push_back(colour * pixel.coverage + background * (1 - pixel.coverage));
   }
   svg.image(place.corner, place.width, place.height, transport::encode_png({image}));

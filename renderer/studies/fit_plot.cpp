@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "grf/text_file.h"
+#include "grf/wording.h"
 #include "grf/write.h"
 #include "renderer/plot/chart.h"
 #include "renderer/plot/fit_file.h"
@@ -36,7 +37,6 @@ constexpr Rectangle ChartPlace = {{610, 350}, 410, 250};
 /// files of other programs have six digits.
 constexpr double Differs = 1e-3;
 
-constexpr std::string_view LobeColour = "#9ecae1";
 constexpr std::array<std::string_view, 4> CloudColours = {"#d55e00", "#009e73", "#cc79a7", "#e69f00"};
 
 struct FitPlotSettings {
@@ -119,24 +119,25 @@ std::optional<ReadFit> read(const ToolState::File& file, bool with_cosine, grf::
   const auto brdf = make_brdf(fit->brdf, diagnostics);
   if (!brdf) return std::nullopt;
   const Vec3f u = direction_of({fit->theta, fit->phi});
-  ReadFit result{std::move(*fit), *brdf, u, file.path.substr(file.path.find_last_of('/') + 1), {}};
+  ReadFit result{std::move(*fit), *brdf, u, grf::file_name(file.path), {}};
   compare(result, with_cosine);
   return result;
 }
 
 std::string_view colour_of(std::size_t index) { return CloudColours[index % CloudColours.size()]; }
 
+std::string counted_directions(const ReadFit& fit) {
+  return fit.name + ": " + grf::counted(fit.points.size(), "direction", "directions");
+}
+
 void draw_header(const std::vector<ReadFit>& fits, plot::Svg& svg) {
   const ReadFit& first = fits.front();
   const std::string brdf = grf::to_text(first.file.brdf);
   svg.text({20, 30}, brdf, {plot::fitting_size(17, brdf, Width - 40), "#111", Anchor::Start, 0});
-  svg.text({20, 54},
-           fmt::format("viewed at \u03B8 = {:.4g}\u00B0, \u03C6 = {:.4g}\u00B0", first.file.theta / Degree,
-                       std::remainder(first.file.phi, 2 * std::numbers::pi) / Degree),
-           {13, "#333", Anchor::Start, 0});
+  svg.text({20, 54}, viewed_text({first.file.theta, first.file.phi}), {13, "#333", Anchor::Start, 0});
   double x = 20;
   for (std::size_t i = 0; i < fits.size(); ++i) {
-    const std::string words = fmt::format("{}: {} directions", fits[i].name, fits[i].points.size());
+    const std::string words = counted_directions(fits[i]);
     svg.dots(std::array{Point(x + 4, 72)}, 4, colour_of(i));
     svg.text({x + 14, 76}, words, {11, "#333", Anchor::Start, 0});
     x += 34 + 6.8 * static_cast<double>(words.size());
@@ -145,38 +146,21 @@ void draw_header(const std::vector<ReadFit>& fits, plot::Svg& svg) {
 
 void draw_lobe_panel(const std::vector<ReadFit>& fits, const FitPlotSettings& settings,
                      const StudyContext& context, plot::Svg& svg) {
-  constexpr plot::LobeGrid Grid = {40, 48};
-  const ReadFit& first = fits.front();
-  const plot::LobeStyle style = {plot::Channel::Mean, settings.cosine, settings.logarithmic};
-  const plot::LobeMesh mesh = plot::lobe_mesh(first.brdf, first.u, style, Grid, context.is_stopped);
-  // f has poles at the horizon, beside which all else would vanish: the values of the files set the scale.
-  double peak = 0;
-  for (const ReadFit& fit : fits) {
-    for (const ComparedPoint& point : fit.points) peak = std::max(peak, point.value);
-  }
-  if (!(peak > 0)) peak = mesh.peak;
-  const auto radius_of = [&](double value) {
-    return static_cast<float>(plot::lobe_radius(std::clamp(value, 0.0, peak), peak, settings.logarithmic));
-  };
-  std::vector<PointCloud> clouds;
+  std::vector<SampleCloud> clouds;
   for (std::size_t i = 0; i < fits.size(); ++i) {
-    clouds.push_back({{}, colour_of(i)});
-    for (const ComparedPoint& point : fits[i].points)
-      clouds.back().positions.push_back(point.direction * radius_of(point.value));
+    clouds.push_back({{}, {}, colour_of(i)});
+    for (const ComparedPoint& point : fits[i].points) {
+      clouds.back().directions.push_back(point.direction);
+      clouds.back().values.push_back(point.value);
+    }
   }
-  plot::LobeMesh scaled = mesh;
-  for (std::size_t i = 0; i < scaled.positions.size(); ++i)
-    scaled.positions[i] = mesh.directions[i] * radius_of(mesh.values[i]);
-  const HemisphereView view(settings.azimuth, settings.elevation, LobePlace);
-  draw_lobe(scaled, Grid, LobeColour, clouds, view, svg);
-  draw_view_directions(first.u, view, svg);
-  svg.text(
-      {LobePlace.corner.x, LobePlace.corner.y + LobePlace.height + 22},
-      fmt::format(
-          "The radius is {}{}, {:.4g} 1/sr at the rim{}.", settings.cosine ? "f cos" : "f",
-          settings.logarithmic ? " on a logarithmic scale" : "", peak,
-          mesh.peak > peak * 1.001 ? fmt::format("; the lobe reaches {:.4g} and is cut", mesh.peak) : ""),
-      {11, "#666", Anchor::Start, 0});
+  const SampledLobe lobe(fits.front().brdf, fits.front().u,
+                         {plot::Channel::Mean, settings.cosine, settings.logarithmic}, std::move(clouds),
+                         context.is_stopped);
+  lobe.draw({settings.azimuth, settings.elevation, LobePlace}, svg);
+  svg.text({LobePlace.corner.x, LobePlace.corner.y + LobePlace.height + 22},
+           fmt::format("The lobe is {}: {}.", settings.cosine ? "f cos" : "f", lobe.scale_text()),
+           {11, "#666", Anchor::Start, 0});
 }
 
 void draw_disc_panel(const std::vector<ReadFit>& fits, const FitPlotSettings& settings, plot::Svg& svg) {
@@ -237,13 +221,13 @@ std::string summary_of(const std::vector<ReadFit>& fits) {
   std::string text;
   for (const ReadFit& fit : fits) {
     if (!text.empty()) text += ' ';
-    text += fmt::format("{}: {} directions", fit.name, fit.points.size());
+    text += counted_directions(fit);
     if (fit.below > 0) text += fmt::format(", {} more not above the surface", fit.below);
-    text += fit.different == 0
-                ? fmt::format("; all values agree with the BRDF within {:.2g}.",
-                              std::max(fit.largest_difference, 1e-7))
-                : fmt::format("; {} values differ from the BRDF by more than {}, at most by {:.3g}.",
-                              fit.different, Differs, fit.largest_difference);
+    text += fit.different == 0 ? fmt::format("; all values agree with the BRDF within {:.2g}.",
+                                             std::max(fit.largest_difference, 1e-7))
+                               : fmt::format("; {} from the BRDF by more than {}, at most by {:.3g}.",
+                                             grf::counted(fit.different, "value differs", "values differ"),
+                                             Differs, fit.largest_difference);
   }
   return text;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <span>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,22 +27,38 @@ class HemisphereView {
   reflectance::Vec3f right_, up_, to_eye_;
 };
 
-/// Points drawn as dots, in one colour.
-struct PointCloud {
-  std::vector<reflectance::Vec3f> positions;
+/// Samples drawn as dots, in one colour.
+struct SampleCloud {
+  std::vector<reflectance::Vec3f> directions;
+  std::vector<double> values;  ///< one for each direction, in 1/sr
   std::string_view colour;
 };
 
-/// Draws the unit disc of the surface with its axes, a lobe from the far side to the near side, and clouds of
-/// points, of which those behind the lobe are hidden.
-void draw_lobe(const plot::LobeMesh& mesh, const plot::LobeGrid& grid, std::string_view colour,
-               std::span<const PointCloud> clouds, const HemisphereView& view, plot::Svg& svg);
+/// The lobe of a BRDF for one view direction, with samples of it. The largest value of a sample has a radius
+/// of 1. Some models grow without bound towards the horizon, where there are no samples: what is much longer
+/// is cut.
+class SampledLobe {
+ public:
+  SampledLobe(const reflectance::Brdf& brdf, const reflectance::Vec3f& u, const plot::LobeStyle& style,
+              std::vector<SampleCloud> clouds, const std::function<bool()>& is_stopped = {});
 
-/// Draws a direction as a line from the centre to the hemisphere, with a name at its end.
-void draw_direction(const reflectance::Vec3f& direction, std::string_view name, std::string_view dashes,
-                    const HemisphereView& view, plot::Svg& svg);
+  /// Returns where a value in a direction is drawn.
+  reflectance::Vec3f position(const reflectance::Vec3f& direction, double value) const;
 
-/// Draws the normal, the view direction and its mirror direction.
-void draw_view_directions(const reflectance::Vec3f& u, const HemisphereView& view, plot::Svg& svg);
+  /// Draws the unit disc of the surface with its axes, the lobe with its samples, of which those behind the
+  /// lobe are hidden, the specular part as a line whose length is the fraction of light that it reflects,
+  /// and the normal, the view direction and the mirror direction.
+  void draw(const HemisphereView& view, plot::Svg& svg) const;
+
+  /// Describes the scale: "radius 1 is 1.5 1/sr".
+  std::string scale_text() const;
+
+ private:
+  reflectance::Vec3f u_;
+  bool is_logarithmic_;
+  std::vector<SampleCloud> clouds_;
+  double unit_ = 0;  ///< the value of radius 1
+  plot::LobeMesh mesh_;
+};
 
 }  // namespace studies

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "grf/keywords.h"
+#include "grf/read.h"
 #include "grf/text_file.h"
 #include "grf/wording.h"
 #include "renderer/reflectance/scheme.h"
@@ -28,6 +29,25 @@ bool check_count(const ToolState& state, std::size_t found, std::size_t expected
 }
 
 }  // namespace
+
+std::optional<grf::Scene> read_model(const ToolState::File& file, const StudyContext& context,
+                                     grf::Diagnostics& diagnostics) {
+  if (context.read_scene) return context.read_scene(file.path, diagnostics);
+  if (transport::has_extension(file.path, "grf") || transport::has_extension(file.path, "igrf"))
+    return grf::read(file.path, diagnostics);
+  diagnostics.error(file.location,
+                    fmt::format("'{}' is no GRF scene: convert it with grfconvert", file.path));
+  return std::nullopt;
+}
+
+void open_files(const StudyTool& tool, const std::vector<std::string>& paths, ToolState& state,
+                grf::Diagnostics& diagnostics) {
+  for (const std::string& path : paths) {
+    if (!tool.takes_many_files) state.files.clear();
+    state.files.push_back({path, {}});
+  }
+  if (!paths.empty() && tool.open != nullptr) tool.open(state, diagnostics);
+}
 
 bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diagnostics) {
   bool is_valid = grf::check(state.settings, {tool.settings}, "tool", diagnostics);

@@ -45,6 +45,10 @@ struct StudyContext {
       read_scene = {};
 };
 
+/// Reads a file that a study shows as its object; returns nothing after an error.
+std::optional<grf::Scene> read_model(const ToolState::File& file, const StudyContext& context,
+                                     grf::Diagnostics& diagnostics);
+
 /// A row of the table of study tools. A window's form and the validation of states follow from it.
 struct StudyTool {
   grf::ModelInfo settings;  ///< keyword, title, description, and settings as parameters
@@ -54,6 +58,9 @@ struct StudyTool {
   std::size_t pdfs = 0;                            ///< how many sampling schemes
   std::string files = {};  ///< extensions of the files that it opens, `fit hdr exr`; empty: none
   bool takes_many_files = false;
+  /// Returns the file of a state that is read by `read_model`; null if there is none. Null: the tool opens no
+  /// models besides `files`.
+  const ToolState::File* (*model)(const ToolState& state) = nullptr;
   bool needs_file = false;        ///< without one there is nothing to show
   std::string_view azimuth = {};  ///< settings that dragging the figure changes, in degrees; empty: none
   std::string_view elevation = {};
@@ -75,6 +82,11 @@ std::vector<StudyTool> study_tools();
 
 /// Returns the tool of a name; nothing if there is none.
 std::optional<StudyTool> study_tool(std::string_view name);
+
+/// Adds files to a state, as the user opens them: a tool that takes one file shows the last one. Reports
+/// errors in them.
+void open_files(const StudyTool& tool, const std::vector<std::string>& paths, ToolState& state,
+                grf::Diagnostics& diagnostics);
 
 /// Checks a state against a tool: the values of its settings, and the number and values of its models.
 bool check(const ToolState& state, const StudyTool& tool, grf::Diagnostics& diagnostics);

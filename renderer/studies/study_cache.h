@@ -24,10 +24,15 @@ class StudyCache {
     return nullptr;
   }
 
-  /// Keeps a value of so many bytes.
+  /// Keeps a value of so many bytes, in place of one under the same key.
   template <class Value>
   void keep(const std::string& key, std::shared_ptr<const Value> value, std::size_t bytes) {
     const std::lock_guard lock(mutex_);
+    std::erase_if(entries_, [&](const Entry& entry) {
+      if (entry.key != key) return false;
+      bytes_ -= entry.bytes;
+      return true;
+    });
     entries_.push_back({key, std::move(value), bytes});
     bytes_ += bytes;
     while (entries_.size() > MostValues || (entries_.size() > 1 && bytes_ > MostBytes)) {

@@ -213,13 +213,13 @@ std::optional<ToolState> read_state(const std::string& text, const std::string& 
   return Reader(text, path, diagnostics).read();
 }
 
-void set_number(grf::Model& settings, std::string_view name, float value) {
+void set_value(grf::Model& settings, std::string_view name, grf::Value value) {
   for (grf::Argument& argument : settings.arguments) {
     if (!grf::same_keyword(argument.name, name)) continue;
-    argument.value = value;
+    argument.value = std::move(value);
     return;
   }
-  settings.arguments.push_back({std::string(name), value, {}});
+  settings.arguments.push_back({std::string(name), std::move(value), {}});
 }
 
 std::string to_text(const ToolState& state, const std::string& path) {

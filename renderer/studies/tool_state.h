@@ -45,8 +45,8 @@ struct ToolState {
 std::optional<ToolState> read_state(const std::string& text, const std::string& path,
                                     grf::Diagnostics& diagnostics);
 
-/// Sets a number among the settings, by its name.
-void set_number(grf::Model& settings, std::string_view name, float value);
+/// Sets one of the settings, by its name.
+void set_value(grf::Model& settings, std::string_view name, grf::Value value);
 
 /// Formats a state. Paths are written relative to the file that the text will be in; absolute if that is
 /// empty.

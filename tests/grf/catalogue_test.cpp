@@ -28,6 +28,28 @@ TEST(CheckOfAModel, KnowsSchemes) {
             "argument:1:1: error: unknown PDF 'glossy'\n");
 }
 
+TEST(CheckOfAModel, KnowsWholeNumbers) {
+  ModelInfo info;
+  info.keyword = "counted";
+  ParameterInfo count = parameter("count", ParameterKind::Number, 10);
+  count.minimum = 1;
+  count.is_whole = true;
+  info.parameters = {count};
+  Diagnostics diagnostics;
+  for (const auto& [text, is_valid] : {std::pair("counted count=10", true),
+                                       {"counted count=2.5", false},
+                                       {"counted count=10.5", false},
+                                       {"counted count=(1, 2, 3)", false}})
+    EXPECT_EQ(check(*read_brdf(text, "argument", diagnostics), {info}, "BRDF", diagnostics), is_valid)
+        << text;
+  EXPECT_EQ(
+      diagnostics.to_text(),
+      "argument:1:9: error: 'count' of 'counted': 2.5 is not whole, expected a whole number from 1 to 10\n"
+      "argument:1:9: error: 'count' of 'counted': 10.5 is out of range, expected a whole number from 1 to "
+      "10\n"
+      "argument:1:9: error: 'count' of 'counted': expected a whole number from 1 to 10\n");
+}
+
 TEST(FindArgument, KnowsAliases) {
   Diagnostics diagnostics;
   const auto model = read_brdf("glossy kd=1 SIGMA=2", "argument", diagnostics);

@@ -11,6 +11,11 @@ TEST(Srgb, IsTheStandardsCurve) {
   EXPECT_NEAR(grf::srgb_encoded(0.0031308), 0.04045, 1e-6);
 }
 
+TEST(Srgb, DecodesColours) {
+  const grf::Colour colour = grf::srgb_decoded(grf::Colour(0, 0.5F, 1));
+  EXPECT_TRUE(colour.equalWithAbsError({0, 0.21404114F, 1}, 1e-6F));
+}
+
 TEST(Srgb, IsUndoneByItsInverse) {
   for (int step = 0; step <= 1024; ++step) {
     const double linear = step / 1024.0;

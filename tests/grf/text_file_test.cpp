@@ -291,6 +291,12 @@ TEST(Paths, AreBesideTheFileThatNamesThem) {
   EXPECT_EQ(path_beside("scenes/room.grf", "/parts/wall.grf"), "/parts/wall.grf");
 }
 
+TEST(FileName, IsWithoutFolders) {
+  EXPECT_EQ(file_name("/a folder/b.c/wall.tar.gz"), "wall.tar.gz");
+  EXPECT_EQ(file_name("wall"), "wall");
+  EXPECT_EQ(file_name(""), "");
+}
+
 TEST_F(TextFile, HasOneCanonicalPath) {
   folder.add("inner/file", "");
   fs::create_directory_symlink("inner", folder.path("link"));

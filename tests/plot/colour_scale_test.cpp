@@ -53,6 +53,8 @@ TEST(ColourScale, IsDrawnWithItsPowersOfTen) {
     return test::svg_of(svg.str());
   };
   EXPECT_THAT(test::texts(drawn(ColourScale(0.002, 20))), testing::ElementsAre("0.01", "0.1", "1", "10"));
+  EXPECT_THAT(test::texts(drawn(ColourScale(0.002, 0.05))),
+              testing::ElementsAre("2e-3", "5e-3", "0.01", "0.02", "0.05"));
   EXPECT_THAT(test::texts(drawn(ColourScale(1, 1e4))), testing::ElementsAre("1", "10", "100", "1000", "1e4"));
   EXPECT_THAT(test::texts(drawn(ColourScale(1e-9, 1e-3))),
               testing::ElementsAre("1e-7", "1e-6", "1e-5", "1e-4", "1e-3"));

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "grf/read.h"
 #include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/reflector.h"
+#include "renderer/reflectance/scheme.h"
 #include "renderer/reflectance/schemes/cumulative.h"
 #include "tests/reflectance/brdf_cases.h"
 #include "tests/reflectance/degenerate_brdfs.h"
@@ -173,8 +175,10 @@ TEST(CascadeScheme, IsDefinedForDegenerateBrdfs) {
 TEST(CascadeScheme, WantsWholeNumbersAndNotTooMany) {
   reflectance::CascadeScheme scheme;
   EXPECT_EQ(scheme.validate(), "");
-  scheme.theta_count = 10.5F;
-  EXPECT_NE(scheme.validate(), "");
+  grf::Diagnostics diagnostics;
+  const auto model = grf::read_pdf("cascadeCDF nPh=10.5", "argument", diagnostics);
+  EXPECT_FALSE(check(*model, reflectance::scheme_infos(), "PDF", diagnostics));
+  EXPECT_NE(diagnostics.to_text().find("10.5 is not whole"), std::string::npos) << diagnostics.to_text();
   scheme.theta_count = scheme.phi_count = 1024;
   EXPECT_NE(scheme.validate(), "");
 }

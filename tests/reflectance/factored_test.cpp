@@ -10,8 +10,10 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "grf/read.h"
 #include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/reflector.h"
+#include "renderer/reflectance/scheme.h"
 #include "renderer/reflectance/schemes/nonnegative_factors.h"
 #include "tests/reflectance/brdf_cases.h"
 #include "tests/reflectance/degenerate_brdfs.h"
@@ -182,8 +184,10 @@ TEST(FactoredScheme, IsDefinedForDegenerateBrdfs) {
 TEST(FactoredScheme, WantsWholeNumbersAndNotTooMany) {
   FactoredScheme scheme;
   EXPECT_EQ(scheme.validate(), "");
-  scheme.rows = 10.5F;
-  EXPECT_NE(scheme.validate(), "");
+  grf::Diagnostics diagnostics;
+  const auto model = grf::read_pdf("factored pTh=10.5", "argument", diagnostics);
+  EXPECT_FALSE(check(*model, reflectance::scheme_infos(), "PDF", diagnostics));
+  EXPECT_NE(diagnostics.to_text().find("10.5 is not whole"), std::string::npos) << diagnostics.to_text();
   scheme.rows = scheme.columns = scheme.view_angles = 256;
   scheme.view_azimuths = 2;
   EXPECT_NE(scheme.validate(), "");

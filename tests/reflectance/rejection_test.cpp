@@ -63,6 +63,21 @@ TEST(Disc, KnowsAreasAndBoundsOfCutBoxes) {
   EXPECT_EQ(reflectance::disc_area({0.8, 0.8, 1, 1}), 0);
 }
 
+// Outside the disc a sum of areas would be rounded to more than 0, and trees would have nodes there.
+TEST(Disc, HasNoAreaInCellsOutside) {
+  for (const int resolution : {50, 200, 333}) {
+    for (int y = 0; y < resolution; ++y) {
+      for (int x = 0; x < resolution; ++x) {
+        const reflectance::Box box = reflectance::DiscGrid::box({x, y, x + 1, y + 1}, resolution);
+        const double corner = std::min({std::hypot(box.x0, box.y0), std::hypot(box.x0, box.y1),
+                                        std::hypot(box.x1, box.y0), std::hypot(box.x1, box.y1)});
+        if (corner <= 1 || box.x0 * box.x1 < 0 || box.y0 * box.y1 < 0) continue;
+        EXPECT_EQ(reflectance::disc_area(box), 0) << x << ' ' << y << " of " << resolution;
+      }
+    }
+  }
+}
+
 TEST(Disc, IsTheSumOfItsCells) {
   for (const int resolution : {2, 3, 7, 64, 333}) {
     const DiscGrid grid(resolution);

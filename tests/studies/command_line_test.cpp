@@ -17,7 +17,7 @@ namespace {
 
 nlohmann::json bpt_brdf(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {std::string(GRANADA_BIN_DIR) + "/bpt", "brdf"});
-  arguments.push_back("--json");
+  arguments.emplace_back("--json");
   const test::Outcome outcome = test::run(arguments);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return nlohmann::json::parse(outcome.out);

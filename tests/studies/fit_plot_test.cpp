@@ -47,13 +47,13 @@ TEST_F(FitPlot, ComparesValuesWithTheBrdf) {
   const std::string bad = fmt::format("(0, 0, 1) {}\n(0.6, 0, 0.8) {}\n", Half, Half / 2);
   EXPECT_THAT(
       study({diffuse_fit(bad)}).summary,
-      HasSubstr("0.fit: 2 directions; 1 values differ from the BRDF by more than 0.001, at most by 0.5."));
+      HasSubstr("0.fit: 2 directions; 1 value differs from the BRDF by more than 0.001, at most by 0.5."));
 }
 
 TEST_F(FitPlot, TakesTheCosineIntoAccount) {
   const std::string points = fmt::format("(0, 0, 1) {}\n(0.6, 0, 0.8) {}\n", Half, 0.8 * Half);
   EXPECT_THAT(study({diffuse_fit(points)}, "cosine=true").summary, HasSubstr("all values agree"));
-  EXPECT_THAT(study({diffuse_fit(points)}).summary, HasSubstr("1 values differ"));
+  EXPECT_THAT(study({diffuse_fit(points)}).summary, HasSubstr("1 value differs"));
 }
 
 TEST_F(FitPlot, HasTheValuesAsText) {
@@ -62,7 +62,7 @@ TEST_F(FitPlot, HasTheValuesAsText) {
   EXPECT_THAT(made.fit, HasSubstr("(0.6, 0, 0.8) 0.25\n"));
   const auto words = test::words_of(made);
   EXPECT_THAT(words, Contains("diffuse kd=0.5"));
-  EXPECT_THAT(words, Contains("0.fit: 1 directions"));
+  EXPECT_THAT(words, Contains("0.fit: 1 direction"));
   EXPECT_THAT(words, Contains(HasSubstr("\u03B8 = 28.65\u00B0"))) << "0.5 radians";
 }
 
@@ -94,7 +94,7 @@ TEST_F(FitPlot, DescribesTheDirectionUnderThePointer) {
 
 TEST_F(FitPlot, LeavesOutWhatIsBelowTheSurface) {
   EXPECT_THAT(study({diffuse_fit("(0, 0, -1) 1\n(1, 0, 0) 1\n(0, 0, 1) 0.159155\n(0, 0, 0) 1\n")}).summary,
-              HasSubstr("1 directions, 3 more not above the surface; all values agree"));
+              HasSubstr("1 direction, 3 more not above the surface; all values agree"));
 }
 
 TEST_F(FitPlot, TurnsWithTheEye) {

@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "grf/read.h"
+#include "grf/summary.h"
+#include "grf/text_file.h"
+#include "renderer/job/preview_scene.h"
 #include "renderer/job/render_job.h"
 #include "renderer/options/op_file.h"
 #include "renderer/transport/image/image.h"
@@ -105,6 +109,14 @@ TEST_F(MiniRender, ComparesInEqualTime) {
               HasSubstr("\nB,\"diffuse kd=0.3\",\"diffuse\","));
 }
 
+// Four samples of a highlight that the scheme seldom finds.
+TEST_F(MiniRender, SaysLargeErrorsInWholePercent) {
+  const auto made = outcome("samples=4 width=64", "", "brdf ward sx=0.02 ks=0.9 kd=0.05\nbrdf diffuse\n",
+                            "pdf diffuse\npdf diffuse\n");
+  ASSERT_TRUE(made.study) << made.messages;
+  EXPECT_THAT(made.study->summary, testing::ContainsRegex("estimated error [1-9][0-9][0-9] %"));
+}
+
 TEST_F(MiniRender, IsWrittenInAllFormatsOfImages) {
   const auto made = study(Above + "samples=4");
   for (const char* name : {"a.exr", "a.raw", "a.pfm", "a.hdr"})
@@ -151,6 +163,78 @@ TEST_F(MiniRender, ShowsEachShapeOnAFloor) {
   }
   std::ranges::sort(means);
   EXPECT_EQ(std::ranges::adjacent_find(means), means.end()) << "two shapes look the same";
+}
+
+// The box is 10 wide, and stands on the floor with a longest side of 2.
+TEST_F(MiniRender, StandsAModelOnTheFloor) {
+  studies::StudyContext context;
+  context.read_scene = [](const std::string& path, grf::Diagnostics& diagnostics) {
+    EXPECT_EQ(grf::file_name(path), "box.obj");
+    return grf::read_text(
+        "begin mesh brdf specular light rgb (9, 9, 9) begin vertexs (5,3,5) (15,3,5) (15,7,5) (5,7,5) "
+        "end begin faces (0,1,2,3) end end\n",
+        "box.grf", diagnostics);
+  };
+  grf::Diagnostics diagnostics;
+  const auto state = studies::read_state(
+      "tool minibpt shape=model samples=1 width=64\nbrdf diffuse kd=0.3\nbrdf diffuse\npdf auto\npdf "
+      "auto\nfile "
+      "box.obj\n",
+      folder_.path("a.study"), diagnostics);
+  const auto made = studies::study_of(*state, context, diagnostics);
+  ASSERT_TRUE(made) << diagnostics.to_text();
+  EXPECT_THAT(test::words_of(*made), Contains("box.obj on a floor"));
+  ASSERT_TRUE(write_data(*made, folder_.path("a.grf"), diagnostics)) << diagnostics.to_text();
+  auto scene = grf::read(folder_.path("a.grf"), diagnostics);
+  ASSERT_TRUE(scene) << diagnostics.to_text();
+  scene->contents.blocks.erase(scene->contents.blocks.begin());  // the floor
+  scene->contents.blocks.pop_back();                             // the light
+  const grf::Summary summary = grf::summarize(*scene);
+  EXPECT_TRUE(summary.bounds.min.equalWithAbsError({-1, 0, 0}, 1e-5F));
+  EXPECT_TRUE(summary.bounds.max.equalWithAbsError({1, 0.8F, 0}, 1e-5F));
+  EXPECT_EQ(summary.lights, 0U) << "the model's materials are left out";
+  EXPECT_EQ(summary.brdfs, 1U);
+}
+
+TEST_F(MiniRender, ShowsTheFilesThatWereOpenedLast) {
+  const studies::StudyTool tool = studies::study_tool("minibpt").value();
+  studies::ToolState state = tool.initial;
+  grf::Diagnostics diagnostics;
+  const auto open = [&](const std::vector<std::string>& paths) {
+    open_files(tool, paths, state, diagnostics);
+    std::vector<std::string> names;
+    for (const auto& file : state.files) names.push_back(grf::file_name(file.path));
+    return names;
+  };
+  using testing::ElementsAre;
+  EXPECT_THAT(open({folder_.path("plane.grf")}), ElementsAre("plane.grf", "plane.op"));
+  EXPECT_THAT(open({"sky.hdr"}), ElementsAre("plane.grf", "plane.op", "sky.hdr"));
+  EXPECT_EQ(tool.model(state), nullptr);
+  EXPECT_THAT(open({"a.obj"}), ElementsAre("sky.hdr", "a.obj"));
+  ASSERT_NE(tool.model(state), nullptr);
+  EXPECT_EQ(tool.model(state)->path, "a.obj");
+  EXPECT_THAT(open({"studio.exr", "b.glb"}), ElementsAre("studio.exr", "b.glb"));
+  EXPECT_THAT(to_text(state), HasSubstr("shape=model"));
+  EXPECT_THAT(open({folder_.path("plane.grf")}), ElementsAre("studio.exr", "plane.grf", "plane.op"));
+  EXPECT_EQ(diagnostics.to_text(), "");
+}
+
+// Only what a change touches is compiled anew.
+TEST_F(MiniRender, CompilesAWindowsSceneOnce) {
+  studies::StudyContext context;
+  context.cache = std::make_shared<studies::StudyCache>();
+  const auto compilations = [&](const std::string& settings, const std::string& brdf) {
+    grf::Diagnostics diagnostics;
+    const auto state = studies::read_state("tool minibpt samples=1 width=32 " + settings + "\nbrdf " + brdf +
+                                               "\nbrdf diffuse\npdf auto\npdf auto\n",
+                                           "a.study", diagnostics);
+    EXPECT_TRUE(studies::study_of(*state, context, diagnostics)) << diagnostics.to_text();
+    return context.cache->find<job::PreviewScene>("minibpt A")->compilations();
+  };
+  EXPECT_EQ(compilations("", "diffuse"), 1);
+  EXPECT_EQ(compilations("viewer_x=1 depth=2", "diffuse"), 1);
+  EXPECT_EQ(compilations("viewer_x=1", "phong"), 2);
+  EXPECT_EQ(compilations("viewer_x=1 shape=knot", "phong"), 3);
 }
 
 TEST_F(MiniRender, TakesTheViewOfTheOptions) {
@@ -202,6 +286,8 @@ TEST_F(MiniRender, SaysWhatIsWrong) {
   EXPECT_THAT(outcome("", "file plane.grf\nfile plane.grf\n").messages,
               HasSubstr("found a second file of this kind"));
   EXPECT_THAT(outcome("", "file gone.hdr\n").messages, HasSubstr("gone.hdr"));
+  EXPECT_THAT(outcome("shape=model", "").messages, HasSubstr("no model is open"));
+  EXPECT_THAT(outcome("shape=model", "file a.obj\n").messages, HasSubstr("convert it with grfconvert"));
   EXPECT_THAT(outcome("", "", "brdf diffuse\nbrdf diffuse\n", "pdf specular\npdf auto\n").messages,
               HasSubstr("specular"));
   EXPECT_THAT(outcome("viewer_x=0 viewer_y=0 viewer_z=0 vlook_x=0 vlook_y=0 vlook_z=0").messages,

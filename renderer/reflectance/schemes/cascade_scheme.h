@@ -25,10 +25,10 @@ struct CascadeScheme {
         .keyword = "cascadeCDF",
         .title = "Tabulated cdfs of the half vector",
         .paper = "Lawrence, Rusinkiewicz and Ramamoorthi 2005",
-        .parameters = {number_parameter(&CascadeScheme::theta_count, "nTh", 1, 4096, "cells over theta_h",
-                                        grf::ParameterScale::Logarithmic),
-                       number_parameter(&CascadeScheme::phi_count, "nPh", 1, 4096, "cells over phi_h",
-                                        grf::ParameterScale::Logarithmic),
+        .parameters = {whole(number_parameter(&CascadeScheme::theta_count, "nTh", 1, 4096,
+                                              "cells over theta_h", grf::ParameterScale::Logarithmic)),
+                       whole(number_parameter(&CascadeScheme::phi_count, "nPh", 1, 4096, "cells over phi_h",
+                                              grf::ParameterScale::Logarithmic)),
                        boolean_parameter(&CascadeScheme::compress, "compress",
                                          "simplify the cdfs to the points needed")},
         .description =
@@ -39,8 +39,6 @@ struct CascadeScheme {
   }
 
   std::string validate() const {
-    if (theta_count != std::round(theta_count) || phi_count != std::round(phi_count))
-      return "nTh and nPh must be whole numbers";
     constexpr float MostCells = 0x1p18F;  // 600 MB for an anisotropic BRDF
     return theta_count * phi_count <= MostCells ? "" : "nTh times nPh must be at most 262,144 cells";
   }

@@ -37,11 +37,14 @@ inline double disc_area_below(double x, double y) {
   return 2 * (half_segment(x) + half_segment(y));
 }
 
-/// Returns the area of the part of a box inside the disc.
+/// Returns the area of the part of a box inside the disc; exactly 0 for a box outside.
 inline double disc_area(const Box& box) {
   const double x = std::max(std::abs(box.x0), std::abs(box.x1));
   const double y = std::max(std::abs(box.y0), std::abs(box.y1));
   if (x * x + y * y <= 1) return box.area();
+  const double nearest_x = std::clamp(0.0, box.x0, box.x1);
+  const double nearest_y = std::clamp(0.0, box.y0, box.y1);
+  if (nearest_x * nearest_x + nearest_y * nearest_y >= 1) return 0;
   return std::max(0.0, disc_area_below(box.x1, box.y1) - disc_area_below(box.x0, box.y1) -
                            disc_area_below(box.x1, box.y0) + disc_area_below(box.x0, box.y0));
 }

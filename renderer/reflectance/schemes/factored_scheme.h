@@ -35,15 +35,15 @@ struct FactoredScheme {
         .title = "Factored BRDF",
         .paper = "Lawrence, Rusinkiewicz and Ramamoorthi 2004",
         .parameters =
-            {number_parameter(&Scheme::view_angles, "uTh", 1, 256, "views over theta_u", Logarithmic),
-             number_parameter(&Scheme::view_azimuths, "uPh", 1, 256,
-                              "views over phi_u; 1, and for any isotropic BRDF: u is rotated to the x axis",
-                              Logarithmic),
-             number_parameter(&Scheme::rows, "pTh", 1, 1024, "cells over theta", Logarithmic),
-             number_parameter(&Scheme::columns, "pPh", 1, 1024, "cells over phi", Logarithmic),
-             number_parameter(&Scheme::view_factors, "J", 1, 8, "number of factors of u"),
-             number_parameter(&Scheme::lobe_factors, "K", 1, 8,
-                              "number of products of theta and phi per factor of u"),
+            {whole(number_parameter(&Scheme::view_angles, "uTh", 1, 256, "views over theta_u", Logarithmic)),
+             whole(number_parameter(
+                 &Scheme::view_azimuths, "uPh", 1, 256,
+                 "views over phi_u; 1, and for any isotropic BRDF: u is rotated to the x axis", Logarithmic)),
+             whole(number_parameter(&Scheme::rows, "pTh", 1, 1024, "cells over theta", Logarithmic)),
+             whole(number_parameter(&Scheme::columns, "pPh", 1, 1024, "cells over phi", Logarithmic)),
+             whole(number_parameter(&Scheme::view_factors, "J", 1, 8, "number of factors of u")),
+             whole(number_parameter(&Scheme::lobe_factors, "K", 1, 8,
+                                    "number of products of theta and phi per factor of u")),
              boolean_parameter(&Scheme::by_half, "half",
                                "factor over the half vector, for lobes about the mirror direction")},
         .description =
@@ -55,9 +55,6 @@ struct FactoredScheme {
   }
 
   std::string validate() const {
-    for (const float count : {view_angles, view_azimuths, rows, columns, view_factors, lobe_factors}) {
-      if (count != std::round(count)) return "uTh, uPh, pTh, pPh, J and K must be whole numbers";
-    }
     constexpr float MostElements = 0x1p24F;  // 128 MB, and as much again for the transposed matrix
     if (view_angles * view_azimuths * rows * columns <= MostElements) return {};
     return "uTh times uPh times pTh times pPh must be at most 16,777,216";

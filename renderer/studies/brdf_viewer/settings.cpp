@@ -33,6 +33,7 @@ reflectance::Parameter<Settings> elevation_parameter(float Settings::*field, std
 reflectance::ModelTable<Settings> Settings::table() {
   using Self = Settings;
   using reflectance::boolean_parameter;
+  using reflectance::whole;
   using reflectance::word_parameter;
   const auto light = [](Rgb Self::*field, std::string_view name) {
     return rgb_parameter(field, name, 0, 100,
@@ -40,45 +41,47 @@ reflectance::ModelTable<Settings> Settings::table() {
   };
   constexpr std::string_view LightAzimuth = "azimuth of the light, from the z axis towards x";
   constexpr std::string_view LightElevation = "elevation of the light";
-  return {.keyword = "brdfviewer",
-          .title = "BRDF viewer",
-          .parameters =
-              {word_parameter(&Self::shape, "shape", {"sphere", "teapot", "knot", "model"},
-                              "the object; `model` is that of the file"),
-               azimuth_parameter(&Self::azimuth, "azimuth", "azimuth of the eye, from the z axis towards x"),
-               elevation_parameter(&Self::elevation, "elevation", "elevation of the eye"),
-               number_parameter(&Self::distance, "distance", 0.05F, 20,
-                                "distance of the eye; at 1 the whole object is visible",
-                                grf::ParameterScale::Logarithmic),
-               number_parameter(&Self::split, "split", 0, 1,
-                                "part of the width, from the left, that shows BRDF A; the rest shows B"),
-               light(&Self::light1, "light1"),
-               azimuth_parameter(&Self::azimuth1, "azimuth1", LightAzimuth),
-               elevation_parameter(&Self::elevation1, "elevation1", LightElevation),
-               light(&Self::light2, "light2"),
-               azimuth_parameter(&Self::azimuth2, "azimuth2", LightAzimuth),
-               elevation_parameter(&Self::elevation2, "elevation2", LightElevation),
-               light(&Self::light3, "light3"),
-               azimuth_parameter(&Self::azimuth3, "azimuth3", LightAzimuth),
-               elevation_parameter(&Self::elevation3, "elevation3", LightElevation),
-               word_parameter(&Self::sky, "sky", {"black", "constant", "studio", "map"},
-                              "the environment; `map` is the image of the file"),
-               rgb_parameter(&Self::radiance, "radiance", 0, 1000,
-                             "radiance of the constant environment, and factor of the others"),
-               azimuth_parameter(&Self::turned, "turned", "turns the environment about the y axis"),
-               number_parameter(&Self::diffuseness, "diffuseness", 0, 4,
-                                "scales the diffuse part of the environment's reflection: what kd adds"),
-               number_parameter(&Self::specularity, "specularity", 0, 4,
-                                "scales the other parts of the environment's reflection"),
-               boolean_parameter(&Self::backdrop, "backdrop", "shows the environment behind the object"),
-               number_parameter(&Self::exposure, "exposure", -10, 10,
-                                "exposure in stops: each doubles the brightness"),
-               number_parameter(&Self::samples, "samples", 16, 4096,
-                                "directions of the environment per pixel, in which the BRDF is evaluated",
-                                grf::ParameterScale::Logarithmic)},
-          .description =
-              "Shows BRDFs on an object in real time, under lights and an environment: drag the light "
-              "over the object, turn it, and compare two BRDFs."};
+  return {
+      .keyword = "brdfviewer",
+      .title = "BRDF viewer",
+      .parameters =
+          {word_parameter(&Self::shape, "shape", {"sphere", "teapot", "knot", "model"},
+                          "the object; `model` is that of the file. Anisotropic highlights run along the "
+                          "parallels of a globe, not along the uv of a model"),
+           azimuth_parameter(&Self::azimuth, "azimuth", "azimuth of the eye, from the z axis towards x"),
+           elevation_parameter(&Self::elevation, "elevation", "elevation of the eye"),
+           number_parameter(&Self::distance, "distance", 0.05F, 20,
+                            "distance of the eye; at 1 the whole object is visible",
+                            grf::ParameterScale::Logarithmic),
+           number_parameter(&Self::split, "split", 0, 1,
+                            "part of the width, from the left, that shows BRDF A; the rest shows B"),
+           light(&Self::light1, "light1"),
+           azimuth_parameter(&Self::azimuth1, "azimuth1", LightAzimuth),
+           elevation_parameter(&Self::elevation1, "elevation1", LightElevation),
+           light(&Self::light2, "light2"),
+           azimuth_parameter(&Self::azimuth2, "azimuth2", LightAzimuth),
+           elevation_parameter(&Self::elevation2, "elevation2", LightElevation),
+           light(&Self::light3, "light3"),
+           azimuth_parameter(&Self::azimuth3, "azimuth3", LightAzimuth),
+           elevation_parameter(&Self::elevation3, "elevation3", LightElevation),
+           word_parameter(&Self::sky, "sky", {"black", "constant", "studio", "map"},
+                          "the environment; `map` is the image of the file"),
+           rgb_parameter(&Self::radiance, "radiance", 0, 1000,
+                         "radiance of the constant environment, and factor of the others"),
+           azimuth_parameter(&Self::turned, "turned", "turns the environment about the y axis"),
+           number_parameter(&Self::diffuseness, "diffuseness", 0, 4,
+                            "scales the diffuse part of the environment's reflection: what kd adds"),
+           number_parameter(&Self::specularity, "specularity", 0, 4,
+                            "scales the other parts of the environment's reflection"),
+           boolean_parameter(&Self::backdrop, "backdrop", "shows the environment behind the object"),
+           number_parameter(&Self::exposure, "exposure", -10, 10,
+                            "exposure in stops: each doubles the brightness"),
+           whole(number_parameter(&Self::samples, "samples", 16, 4096,
+                                  "directions of the environment per pixel, in which the BRDF is evaluated",
+                                  grf::ParameterScale::Logarithmic))},
+      .description =
+          "Shows BRDFs on an object in real time, under lights and an environment: drag the light "
+          "over the object, turn it, and compare two BRDFs."};
 }
 
 std::vector<reflectance::DistantLight> Settings::lights() const {

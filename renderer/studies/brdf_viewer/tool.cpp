@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "grf/keywords.h"
-#include "grf/read.h"
+#include "grf/srgb.h"
+#include "grf/text_file.h"
+#include "grf/wording.h"
 #include "grf/write.h"
 #include "renderer/plot/chart.h"
 #include "renderer/reflectance/model.h"
@@ -46,13 +48,7 @@ std::optional<grf::Scene> scene_of(const ToolState& state, const Settings& setti
     diagnostics.error(state.settings.location, "no model is open: open one, or name it as 'file NAME.grf'");
     return std::nullopt;
   }
-  if (context.read_scene) return context.read_scene(files.model->path, diagnostics);
-  if (transport::has_extension(files.model->path, "grf") ||
-      transport::has_extension(files.model->path, "igrf"))
-    return grf::read(files.model->path, diagnostics);
-  diagnostics.error(files.model->location,
-                    fmt::format("'{}' is no GRF scene: convert it with grfconvert", files.model->path));
-  return std::nullopt;
+  return read_model(*files.model, context, diagnostics);
 }
 
 /// Compiles what rays need of a scene, whose surfaces are all black.
@@ -144,8 +140,7 @@ double list_brdf(const grf::BrdfModel& model, std::string_view title, double y, 
            {14, "#111", Anchor::Start, 0});
   if (!model.data_file.empty()) {
     y += Line;
-    svg.text({X, y}, model.data_file.substr(model.data_file.find_last_of('/') + 1),
-             {12, "#333", Anchor::Start, 0});
+    svg.text({X, y}, grf::file_name(model.data_file), {12, "#333", Anchor::Start, 0});
   }
   for (const grf::Argument& argument : model.arguments) {
     grf::BrdfModel one;
@@ -172,8 +167,8 @@ void list_settings(const Settings& settings, const ViewerFiles& files, double y,
   };
   const auto light = [&](const Rgb& radiance, float azimuth, float elevation) {
     if (reflectance::is_black(radiance)) return;
-    line(fmt::format("light of {} from {:.4g}\u00B0, elevation {:.4g}\u00B0", rgb(radiance), azimuth,
-                     elevation),
+    line(fmt::format("light of {} from {}, elevation {}", rgb(radiance), degrees_text(azimuth),
+                     degrees_text(elevation)),
          "#333");
   };
   svg.text({764, y}, "Lights and environment", {11, "#666", Anchor::Start, 0});
@@ -185,10 +180,11 @@ void list_settings(const Settings& settings, const ViewerFiles& files, double y,
                                                      "studio environment", "environment "};
   std::string sky(Skies[static_cast<std::size_t>(settings.sky)]);
   if (settings.sky == Settings::Map && files.environment != nullptr)
-    sky += files.environment->path.substr(files.environment->path.find_last_of('/') + 1);
+    sky += grf::file_name(files.environment->path);
   line(sky, "#333");
   if (settings.sky == Settings::Black) return;
-  line(fmt::format("radiance {}, turned by {:.4g}\u00B0", rgb(settings.radiance), settings.turned), "#333");
+  line(fmt::format("radiance {}, turned by {}", rgb(settings.radiance), degrees_text(settings.turned)),
+       "#333");
   line(fmt::format("diffuseness {:.3g}, specularity {:.3g}", settings.diffuseness, settings.specularity),
        "#333");
   line(fmt::format("{} directions per pixel", settings.sample_count()), "#333");
@@ -252,8 +248,7 @@ std::optional<Study> make_study(const ToolState& state, const StudyContext& cont
   auto picture = std::make_shared<Shaded>(shaded(*scene, brdfs, settings, *lighting, context));
   if (picture->pixels.empty()) return std::nullopt;
   plot::Svg svg(Width, Height, context.paper);
-  const grf::Colour paper = svg.shaded(grf::Colour(1));
-  const Rgb background(std::pow(paper.x, 2.2F), std::pow(paper.y, 2.2F), std::pow(paper.z, 2.2F));
+  const Rgb background = grf::srgb_decoded(svg.shaded(grf::Colour(1)));
   const transport::View view = settings.view(scene->bounds(), Place.width / Place.height);
   svg.image(Place.corner, Place.width, Place.height, png_of(*picture, view, settings, *lighting, background));
   draw_split(picture->split, svg);
@@ -263,23 +258,12 @@ std::optional<Study> make_study(const ToolState& state, const StudyContext& cont
   if (has_a) y = list_brdf(state.brdfs[0], has_b ? "BRDF A, on the left" : "BRDF", y, svg);
   if (has_b) y = list_brdf(state.brdfs[1], has_a ? "BRDF B, on the right" : "BRDF B", y, svg);
   list_settings(settings, *files, y, svg);
-  const std::string summary =
-      fmt::format("{} on {} triangles, {} light{}", grf::to_text(state.brdfs[has_a ? 0 : 1]),
-                  scene->triangle_count(), lighting->lights.size(), lighting->lights.size() == 1 ? "" : "s");
+  const std::string summary = fmt::format("{} on {}, {}", grf::to_text(state.brdfs[has_a ? 0 : 1]),
+                                          grf::counted(scene->triangle_count(), "triangle", "triangles"),
+                                          grf::counted(lighting->lights.size(), "light", "lights"));
   Study study{std::move(svg), summary, csv_of(*picture), {}};
   study.describe = [picture](const Point& point) { return described(*picture, point); };
   return study;
-}
-
-void set_word(grf::Model& settings, std::string_view name, std::string_view word) {
-  const auto found = std::ranges::find_if(
-      settings.arguments, [&](const grf::Argument& each) { return grf::same_keyword(each.name, name); });
-  const grf::Word value = {std::string(word)};
-  if (found == settings.arguments.end()) {
-    settings.arguments.push_back({std::string(name), value, {}});
-  } else {
-    found->value = value;
-  }
 }
 
 /// Shows the files that were opened last: a model instead of the shape, and a map as the environment.
@@ -291,13 +275,21 @@ void show_opened(ToolState& state, grf::Diagnostics&) {
     });
     if (found == state.files.rend()) continue;
     if (is_environment) {
-      set_word(state.settings, "sky", "map");
+      set_value(state.settings, "sky", grf::Word{"map"});
     } else {
-      set_word(state.settings, "shape", "model");
+      set_value(state.settings, "shape", grf::Word{"model"});
     }
     last.push_back(*found);
   }
   state.files = last;
+}
+
+/// Returns the model that is shown instead of a shape.
+const ToolState::File* model_of(const ToolState& state) {
+  if (reflectance::make<Settings>(state.settings).shape != Settings::Model) return nullptr;
+  const auto found = std::ranges::find_if(
+      state.files, [](const ToolState::File& file) { return !is_environment_map(file.path); });
+  return found != state.files.end() ? &*found : nullptr;
 }
 
 }  // namespace
@@ -312,11 +304,12 @@ StudyTool brdf_viewer_tool() {
     tool.initial.brdfs.push_back(model);
   }
   tool.brdfs = 2;
-  tool.files = "grf igrf obj ply gltf glb off stl exr hdr pfm";
+  tool.files = "grf igrf exr hdr pfm";
   tool.takes_many_files = true;
   tool.azimuth = "azimuth";
   tool.elevation = "elevation";
   tool.animated = "azimuth";
+  tool.model = model_of;
   tool.open = show_opened;
   tool.make = make_study;
   return tool;

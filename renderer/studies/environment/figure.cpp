@@ -52,10 +52,6 @@ SphereView sphere_of(const EnvironmentSettings& settings) {
   return {settings.azimuth, settings.elevation, SphereCentre, SphereRadius};
 }
 
-Rgb linear(const grf::Colour& encoded) {
-  return {grf::srgb_decoded(encoded.x), grf::srgb_decoded(encoded.y), grf::srgb_decoded(encoded.z)};
-}
-
 std::string_view title_of(const EnvironmentSettings& settings) {
   switch (settings.shown()) {
     case Show::Map:
@@ -94,12 +90,12 @@ Picture false_colours(const SphereGrid& grid, const std::vector<double>& values,
     highest = std::max(highest, value);
   }
   const plot::ColourScale scale(std::max(lowest, least), highest);
-  const Rgb absent = linear(svg.shaded(grf::Colour(0.82F)));
+  const Rgb absent = grf::srgb_decoded(svg.shaded(grf::Colour(0.82F)));
   std::array<Rgb, 512> shades;
   const double range = std::log(scale.highest() / scale.lowest());
   for (std::size_t i = 0; i < shades.size(); ++i) {
     const double fraction = static_cast<double>(i) / (shades.size() - 1);
-    shades[i] = linear(scale.colour(scale.lowest() * std::exp(range * fraction)));
+    shades[i] = grf::srgb_decoded(scale.colour(scale.lowest() * std::exp(range * fraction)));
   }
   const auto shade_of = [&](double value) {
     const double fraction = std::log(std::max(value, scale.lowest()) / scale.lowest()) / range;
@@ -249,10 +245,6 @@ void draw_map_panel(const EnvironmentResult& result, const Picture& picture, plo
   svg.text(BarPlace.corner - Point(0, 8), picture.unit, {11, "#333", Anchor::Start, 0});
 }
 
-std::string degrees_of(double degrees) {
-  return fmt::format("{}{:.4g}\u00B0", degrees < 0 ? "\u2212" : "", std::abs(degrees));
-}
-
 void draw_header(const EnvironmentResult& result, plot::Svg& svg) {
   const EnvironmentSettings& settings = result.settings;
   const transport::Image& image = result.surface.map().image();
@@ -261,10 +253,10 @@ void draw_header(const EnvironmentResult& result, plot::Svg& svg) {
   const std::string normal = settings.tilt == 0
                                  ? std::string("the normal is y")
                                  : fmt::format("the normal is tilted {} from y towards azimuth {}",
-                                               degrees_of(settings.tilt), degrees_of(settings.heading));
+                                               degrees_text(settings.tilt), degrees_text(settings.heading));
   svg.text({Left, 54},
-           fmt::format("viewed at \u03B8 = {}, \u03C6 = {}; {}; under {}, {} \u00D7 {} texels",
-                       degrees_of(settings.theta), degrees_of(settings.phi), normal,
+           fmt::format("{}; {}; under {}, {} \u00D7 {} texels",
+                       viewed_text({settings.theta * Degree, settings.phi * Degree}), normal,
                        result.surface.environment->name, image.width, image.height),
            {13, "#333", Anchor::Start, 0});
 }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "grf/text_file.h"
 #include "renderer/studies/angles.h"
 
 namespace studies {
@@ -53,7 +54,7 @@ std::shared_ptr<const FilteredMap> read_filtered(const ToolState::File& file, gr
         fmt::format("the environment map '{}' is black: there is nothing to sample", file.path));
     return nullptr;
   }
-  return std::make_shared<FilteredMap>(std::move(*map), file.path.substr(file.path.find_last_of('/') + 1));
+  return std::make_shared<FilteredMap>(std::move(*map), grf::file_name(file.path));
 }
 
 /// Reads a map, unless the cache has it of the same version of the file.

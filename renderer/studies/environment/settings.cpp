@@ -46,6 +46,7 @@ reflectance::ModelTable<EnvironmentSettings> EnvironmentSettings::table() {
   using reflectance::boolean_parameter;
   using reflectance::in_unit;
   using reflectance::number_parameter;
+  using reflectance::whole;
   using reflectance::word_parameter;
   return {
       .keyword = "emviewer",
@@ -60,14 +61,15 @@ reflectance::ModelTable<EnvironmentSettings> EnvironmentSettings::table() {
                                            "angle of the surface's normal from y, which is up")),
            in_unit("deg", number_parameter(&Self::heading, "heading", -180, 180,
                                            "azimuth of the normal, from x towards -z")),
-           number_parameter(&Self::candidates, "N", 1, 16384,
-                            "number of candidates, from the scheme; BPT_RIS calls it M",
-                            ParameterScale::Logarithmic),
-           number_parameter(
+           whole(number_parameter(&Self::candidates, "N", 1, 16384,
+                                  "number of candidates, from the scheme; BPT_RIS calls it M",
+                                  ParameterScale::Logarithmic)),
+           whole(number_parameter(
                &Self::samples, "M", 1, 16384,
                "number of samples that are chosen from the candidates, N at most; BPT_RIS calls it N",
-               ParameterScale::Logarithmic),
-           number_parameter(&Self::seed, "seed", 0, 65535, "seed of the random numbers"), show_parameter(),
+               ParameterScale::Logarithmic)),
+           whole(number_parameter(&Self::seed, "seed", 0, 65535, "seed of the random numbers")),
+           show_parameter(),
            word_parameter(&Self::channel, "channel", {"colour", "luminance"},
                           "the map in its colours, or its luminance in false colours"),
            word_parameter(&Self::dots, "dots", {"both", "candidates", "samples", "hidden"},

@@ -125,9 +125,7 @@ void draw(const ColouredSphere& sphere, const SphereView& view, const UnrolledVi
   const int side = 2 * static_cast<int>(std::ceil(PixelsPerUnit / 2 * (2 * view.radius() + 2)));
   const double size = side / PixelsPerUnit;
   const Point corner = view.centre() - Point(size, size) / 2;
-  const grf::Colour encoded = svg.shaded(grf::Colour(1));
-  const Rgb background(grf::srgb_decoded(encoded.x), grf::srgb_decoded(encoded.y),
-                       grf::srgb_decoded(encoded.z));
+  const Rgb background = grf::srgb_decoded(svg.shaded(grf::Colour(1)));
   std::string round_png;
   std::string flat_png;
   parallel::invoke(

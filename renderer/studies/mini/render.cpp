@@ -46,7 +46,11 @@ struct MiniImage {
 
 std::string caption_of(const MiniImage& image) {
   std::string text = fmt::format("{:.4g} samples per pixel, {:.3g} s", image.samples, image.seconds);
-  if (image.error) text += fmt::format(", estimated error {:.2g} %", 100 * *image.error);
+  if (image.error) {
+    const double percent = 100 * *image.error;
+    text += percent < 99.5 ? fmt::format(", estimated error {:.2g} %", percent)
+                           : fmt::format(", estimated error {:.0f} %", percent);
+  }
   return text;
 }
 
@@ -178,7 +182,7 @@ std::vector<DataFile> data_files(const MiniScene& scene, const std::vector<MiniI
        }});
   files.push_back(
       {"op", "OP options", [options = scene.options](const std::string& path, grf::Diagnostics& diagnostics) {
-         const std::string base = path.substr(path.find_last_of('/') + 1);
+         const std::string base = grf::file_name(path);
          const std::string name = base.substr(0, base.find_last_of('.'));
          return grf::replace_file(path, op_text(options, name + ".grf", name + ".exr"), diagnostics);
        }});
@@ -210,17 +214,41 @@ MiniImage named_image(const ToolState& state, std::size_t brdf, std::size_t pdf,
 }
 
 std::string title_of(const ToolState& state, const MiniRenderSettings& settings, const MiniScene& scene) {
-  constexpr std::array Shapes = {"A sphere", "A plane", "A jug", "A dragon", "A knot"};
-  if (!scene.is_opened)
-    return fmt::format("{} on a floor", Shapes.at(static_cast<std::size_t>(settings.shape)));
-  const std::string& path = state.files.front().path;
-  return path.substr(path.find_last_of('/') + 1);
+  constexpr std::array<const char*, 5> Shapes = {"A sphere", "A plane", "A jug", "A dragon", "A knot"};
+  if (scene.is_opened) return grf::file_name(state.files.front().path);
+  const ToolState::File* model = model_of(state);
+  const std::string shape =
+      model != nullptr ? grf::file_name(model->path) : Shapes.at(static_cast<std::size_t>(settings.shape));
+  return shape + " on a floor";
 }
+
+/// The compiled scenes of the images, which the window's next study uses again as far as possible.
+class PreparedScenes {
+ public:
+  explicit PreparedScenes(StudyCache* cache) : cache_(cache) {}
+
+  /// Prepares the scene of an image, by default from that of the last image: they share geometry.
+  std::optional<transport::RenderSettings> prepare(const std::string& image, const MiniScene& scene,
+                                                   grf::Diagnostics& diagnostics) {
+    const std::string key = MiniRenderSettings::table().keyword.data() + (" " + image);
+    if (const auto kept = cache_ != nullptr ? cache_->find<job::PreviewScene>(key) : nullptr)
+      last_ = std::make_unique<job::PreviewScene>(*kept);
+    auto settings = last_->prepare({scene.scene, "", scene.options, {}}, {}, diagnostics);
+    if (settings && cache_ != nullptr)
+      cache_->keep(key, std::make_shared<const job::PreviewScene>(*last_), compiled().bytes());
+    return settings;
+  }
+  const transport::CompiledScene& compiled() const { return last_->compiled(); }
+
+ private:
+  StudyCache* cache_;  ///< may be null
+  std::unique_ptr<job::PreviewScene> last_ = std::make_unique<job::PreviewScene>();
+};
 
 /// Renders one image of the study; returns false after an error, or if it was stopped.
 bool render_image(const MiniScene& scene, const std::optional<double>& seconds, const Renderer& renderer,
-                  job::PreviewScene& prepared, grf::Diagnostics& diagnostics) {
-  auto settings = prepared.prepare({scene.scene, "", scene.options, {}}, {}, diagnostics);
+                  const std::string& name, PreparedScenes& prepared, grf::Diagnostics& diagnostics) {
+  auto settings = prepared.prepare(name, scene, diagnostics);
   if (!settings) return false;
   if (seconds) {
     settings->samples = transport::RenderSettings::Unlimited;
@@ -232,7 +260,7 @@ bool render_image(const MiniScene& scene, const std::optional<double>& seconds, 
 std::optional<Study> make_study(const ToolState& state, const StudyContext& context,
                                 grf::Diagnostics& diagnostics) {
   const auto settings = reflectance::make<MiniRenderSettings>(state.settings);
-  auto scene = mini_scene(state, settings, diagnostics);
+  auto scene = mini_scene(state, settings, context, diagnostics);
   if (!scene) return std::nullopt;
   adapt(scene->options, settings);
   const bool is_assigned = !scene->is_opened || settings.replace;
@@ -247,26 +275,27 @@ std::optional<Study> make_study(const ToolState& state, const StudyContext& cont
     if (images.front().image) context.refined({figure_of(images, title, context), {}, {}, {}});
   };
   const Renderer renderer(context, images, refined);
-  job::PreviewScene prepared;  // of both images, which share the acceleration structure
-  if (is_assigned) assign(state.brdfs[0], state.pdfs[0], *scene);
+  PreparedScenes prepared(context.cache.get());
+  MiniScene first = *scene;
+  if (is_assigned) assign(state.brdfs[0], state.pdfs[0], state.definitions, first);
   images.push_back(named_image(state, 0, 0, is_assigned));
   if (settings.compare != MiniRenderSettings::Nothing) images.back().name = "A";
-  if (!render_image(*scene, {}, renderer, prepared, diagnostics)) return std::nullopt;
+  if (!render_image(first, {}, renderer, "A", prepared, diagnostics)) return std::nullopt;
   if (settings.compare != MiniRenderSettings::Nothing) {
     const std::size_t brdf = settings.compare == MiniRenderSettings::Brdfs ? 1 : 0;
-    MiniScene other = *scene;
-    assign(state.brdfs[brdf], state.pdfs[1 - brdf], other);
+    MiniScene second = *scene;
+    assign(state.brdfs[brdf], state.pdfs[1 - brdf], state.definitions, second);
     const double seconds = images.front().seconds;
     images.push_back(named_image(state, brdf, 1 - brdf, true));
     images.back().name = "B";
-    if (!render_image(other, seconds, renderer, prepared, diagnostics)) return std::nullopt;
+    if (!render_image(second, seconds, renderer, "B", prepared, diagnostics)) return std::nullopt;
   }
   Study study{figure_of(images, title, context), {}, csv_of(images), {}};
   for (const MiniImage& image : images) {
     if (!study.summary.empty()) study.summary += "; ";
     study.summary += (image.name.empty() ? "" : image.name + ": ") + caption_of(image);
   }
-  study.files = data_files(*scene, images);
+  study.files = data_files(first, images);
   return study;
 }
 
@@ -282,9 +311,9 @@ void turn(ToolState& state, double azimuth, double elevation) {
                                   -89 * Degree, 89 * Degree);
   const grf::Vec3d eye = target + distance * grf::Vec3d(std::cos(theta) * std::sin(phi), std::sin(theta),
                                                         std::cos(theta) * std::cos(phi));
-  set_number(state.settings, "viewer_x", static_cast<float>(eye.x));
-  set_number(state.settings, "viewer_y", static_cast<float>(eye.y));
-  set_number(state.settings, "viewer_z", static_cast<float>(eye.z));
+  set_value(state.settings, "viewer_x", static_cast<float>(eye.x));
+  set_value(state.settings, "viewer_y", static_cast<float>(eye.y));
+  set_value(state.settings, "viewer_z", static_cast<float>(eye.z));
 }
 
 grf::BrdfModel brdf_of(const char* text) {
@@ -306,8 +335,9 @@ StudyTool mini_render_tool() {
   tool.pdfs = 2;
   tool.files = "grf igrf op exr hdr pfm png jpg tga";
   tool.takes_many_files = true;
+  tool.model = model_of;
   tool.turn = turn;
-  tool.open = adopt_options;
+  tool.open = show_opened_files;
   tool.make = make_study;
   return tool;
 }

@@ -5,13 +5,13 @@
 #include "grf/scene.h"
 #include "renderer/options/render_options.h"
 #include "renderer/reflectance/model.h"
-#include "renderer/studies/tool_state.h"
+#include "renderer/studies/study.h"
 
 namespace studies {
 
 /// The settings of the tool `minibpt`.
 struct MiniRenderSettings {
-  enum Shape { Sphere, Plane, Jug, Dragon, Knot };
+  enum Shape { Sphere, Plane, Jug, Dragon, Knot, Model };
   enum Compare { Nothing, Brdfs, Schemes };
 
   float viewer_x = 0;
@@ -38,16 +38,22 @@ struct MiniScene {
   bool is_opened = false;          ///< it was read from a file, and has BRDFs of its own
 };
 
-/// Reads the scene that a state names with its options and environment map, or makes a floor with a shape
-/// under an area light. Returns nothing after an error.
+/// Reads the scene that a state names with its options and environment map, or makes a floor with a shape or
+/// a model under an area light. Returns nothing after an error.
 std::optional<MiniScene> mini_scene(const ToolState& state, const MiniRenderSettings& settings,
-                                    grf::Diagnostics& diagnostics);
+                                    const StudyContext& context, grf::Diagnostics& diagnostics);
 
 /// Assigns a BRDF and a sampling scheme to the shape, or to all faces of an opened scene that do not emit.
-void assign(const grf::BrdfModel& brdf, const grf::PdfModel& pdf, MiniScene& scene);
+/// The definitions are those that the terms of the BRDF refer to.
+void assign(const grf::BrdfModel& brdf, const grf::PdfModel& pdf,
+            const std::vector<grf::Definition>& definitions, MiniScene& scene);
 
-/// Adds the OP file beside an opened scene to a state, and sets the viewer, the look-at point and the size of
-/// the image from the options.
-void adopt_options(ToolState& state, grf::Diagnostics& diagnostics);
+/// Returns the model that stands on the floor; null if there is none.
+const ToolState::File* model_of(const ToolState& state);
+
+/// Shows the last opened file of each kind: a scene with its options, by default the OP file beside it, an
+/// environment map, or a model as the shape. Sets the viewer, the look-at point and the size of the image
+/// from the options.
+void show_opened_files(ToolState& state, grf::Diagnostics& diagnostics);
 
 }  // namespace studies

@@ -267,11 +267,9 @@ RejectionReport report_of(const ToolState& state, const RejectionToolSettings& s
   RejectionReport report;
   const Region region = settings.region_of_tries();
   report.title = grf::to_text(state.brdfs.front());
-  report.note = fmt::format(
-      "viewed at \u03B8 = {:.4g}\u00B0, \u03C6 = {:.4g}\u00B0; f over the disc of (x, y) is f cos over "
-      "directions; tries are uniform on the {}",
-      result.view.theta / Degree, result.view.phi / Degree,
-      region == Region::Disc ? "disc" : "square around it");
+  report.note =
+      fmt::format("{}; f over the disc of (x, y) is f cos over directions; tries are uniform on the {}",
+                  viewed_text(result.view), region == Region::Disc ? "disc" : "square around it");
   report.subdivision = "quadtree";
   report.single = numbers_of(result.run, result.sampled_total / (result.bound * area_of(region)),
                              fmt::format("{:.4g} 1/sr", result.bound));

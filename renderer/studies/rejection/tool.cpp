@@ -23,8 +23,8 @@ void add_to(std::string_view name, double change, const grf::ModelInfo& info, gr
   const grf::Argument* argument = grf::find_argument(model, parameter);
   const auto* number = argument != nullptr ? std::get_if<float>(&argument->value) : nullptr;
   const double before = number != nullptr ? *number : parameter.default_value;
-  set_number(model, name,
-             static_cast<float>(std::clamp<double>(before + change, parameter.minimum, parameter.maximum)));
+  set_value(model, name,
+            static_cast<float>(std::clamp<double>(before + change, parameter.minimum, parameter.maximum)));
 }
 
 /// Turns the view of the BRDF, so that its place on the disc follows the pointer.
@@ -42,33 +42,36 @@ reflectance::ModelTable<RejectionToolSettings> RejectionToolSettings::table() {
   using grf::ParameterScale;
   using reflectance::in_unit;
   using reflectance::number_parameter;
+  using reflectance::whole;
   using reflectance::word_parameter;
   return {
       .keyword = "rejection",
       .title = "Rejection sampling",
-      .parameters =
-          {number_parameter(&Self::samples, "samples", 10, 50000, "accepted samples that are wanted",
-                            ParameterScale::Logarithmic),
-           word_parameter(&Self::bound, "bound", {"exact", "grid", "hand"},
-                          "the exact maximum, the largest value on a grid (which is no bound), or factor "
-                          "times the exact maximum"),
-           number_parameter(&Self::factor, "factor", 0.3F, 3,
-                            "bound=hand: the bound over the exact maximum; below 1 it is too low",
-                            ParameterScale::Logarithmic),
-           number_parameter(&Self::cells, "cells", 1, 400,
-                            "cells of the grid, along an edge for a BRDF, whose quadtree is made from it",
-                            ParameterScale::Logarithmic),
-           in_unit("%", number_parameter(&Self::tail, "tail", 1e-4F, 5,
-                                         "probability that is cut off at each unbounded end of a "
-                                         "distribution",
-                                         ParameterScale::Logarithmic)),
-           word_parameter(&Self::region, "region", {"disc", "square"},
-                          "brdf: tries are uniform on the disc, or as in the renderer on the square around "
-                          "it"),
-           number_parameter(&Self::nmax, "nmax", 1.001F, 100,
-                            "mean number of tries that a part of the subdivision may need",
-                            ParameterScale::Logarithmic),
-           number_parameter(&Self::seed, "seed", 0, 1e6F, "seed of the random numbers")},
+      .parameters = {whole(number_parameter(&Self::samples, "samples", 10, 50000,
+                                            "accepted samples that are wanted", ParameterScale::Logarithmic)),
+                     word_parameter(
+                         &Self::bound, "bound", {"exact", "grid", "hand"},
+                         "the exact maximum, the largest value on a grid (which is no bound), or factor "
+                         "times the exact maximum"),
+                     number_parameter(&Self::factor, "factor", 0.3F, 3,
+                                      "bound=hand: the bound over the exact maximum; below 1 it is too low",
+                                      ParameterScale::Logarithmic),
+                     whole(number_parameter(
+                         &Self::cells, "cells", 1, 400,
+                         "cells of the grid, along an edge for a BRDF, whose quadtree is made from it",
+                         ParameterScale::Logarithmic)),
+                     in_unit("%", number_parameter(&Self::tail, "tail", 1e-4F, 5,
+                                                   "probability that is cut off at each unbounded end of a "
+                                                   "distribution",
+                                                   ParameterScale::Logarithmic)),
+                     word_parameter(
+                         &Self::region, "region", {"disc", "square"},
+                         "brdf: tries are uniform on the disc, or as in the renderer on the square around "
+                         "it"),
+                     number_parameter(&Self::nmax, "nmax", 1.001F, 100,
+                                      "mean number of tries that a part of the subdivision may need",
+                                      ParameterScale::Logarithmic),
+                     whole(number_parameter(&Self::seed, "seed", 0, 1e6F, "seed of the random numbers"))},
       .description =
           "Samples a statistical distribution, or f cos of a BRDF, by rejection: which tries are accepted "
           "under a bound, how many, and whether the samples have the right density. A subdivision with a "

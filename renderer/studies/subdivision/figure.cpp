@@ -26,10 +26,10 @@ using Cell = Subdivision::Cell;
 
 constexpr double Left = 20;
 constexpr Rectangle TreePlace = {{86, 110}, 420, 420};
-constexpr Rectangle LobePlace = {{610, 96}, 410, 296};
+constexpr Rectangle LobePlace = {{610, 116}, 410, 276};
+constexpr Point LobeTitleAt = {610, 96};
 constexpr Rectangle StrataPlace = {{610, 424}, 410, 176};
 
-constexpr std::string_view LobeColour = "#9ecae1";
 constexpr std::string_view SampleColour = "#d55e00";
 constexpr std::string_view WayColour = "#d81b80";
 constexpr std::string_view UntestedColour = "#e4e4e4";
@@ -247,37 +247,23 @@ void draw_tree(const SubdivisionSubject& subject, plot::Svg& svg) {
   draw_legend(subject, svg);
 }
 
-/// Draws the lobe of f with the samples on it. The longest sample has a radius of 1: some models grow without
-/// bound towards the horizon, where there are no samples, and the lobe is cut there.
 void draw_lobe_panel(const SubdivisionSubject& subject, const StudyContext& context, plot::Svg& svg) {
-  constexpr plot::LobeGrid Grid = {36, 44};
-  constexpr double Longest = 1.15;
-  plot::LobeMesh mesh = plot::lobe_mesh(subject.viewed.brdf, subject.viewed.u,
-                                        {plot::Channel::Mean, false, false}, Grid, context.is_stopped);
-  double peak = 0;
-  for (const SampledPoint& point : subject.samples.points) peak = std::max(peak, point.f);
-  if (!(peak > 0)) peak = mesh.peak;
-  const auto scaled = [&](const Vec3f& direction, double f) {
-    return direction * static_cast<float>(std::min(Longest, f / peak));
-  };
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-    mesh.positions[i] = scaled(mesh.directions[i], mesh.values[i]);
-  std::vector<PointCloud> clouds = {{{}, SampleColour}};
-  for (const SampledPoint& point : subject.samples.points)
-    clouds.front().positions.push_back(scaled(point.direction, point.f));
+  SampleCloud cloud{{}, {}, SampleColour};
+  for (const SampledPoint& point : subject.samples.points) {
+    cloud.directions.push_back(point.direction);
+    cloud.values.push_back(point.f);
+  }
+  const SampledLobe lobe(subject.viewed.brdf, subject.viewed.u, {plot::Channel::Mean, false, false}, {cloud},
+                         context.is_stopped);
   const HemisphereView view(subject.settings.azimuth, subject.settings.elevation, LobePlace);
-  draw_lobe(mesh, Grid, LobeColour, clouds, view, svg);
-  draw_view_directions(subject.viewed.u, view, svg);
+  lobe.draw(view, svg);
   if (const SampledPoint* sample = shown_sample(subject)) {
-    const Point dot = view.point(scaled(sample->direction, sample->f));
+    const Point dot = view.point(lobe.position(sample->direction, sample->f));
     svg.dots(std::array{dot}, 4.4, "#fff");
     svg.dots(std::array{dot}, 3.2, WayColour);
   }
-  svg.text({LobePlace.corner.x, LobePlace.corner.y}, "Lobe of f with the samples", Title);
-  svg.text({LobePlace.corner.x, LobePlace.corner.y + 17},
-           fmt::format("radius 1 is {:.4g} 1/sr{}", peak,
-                       mesh.peak > Longest * peak ? fmt::format("; cut: f reaches {:.4g}", mesh.peak) : ""),
-           {11, "#666", Anchor::Start, 0});
+  svg.text(LobeTitleAt, "Lobe of f with the samples", Title);
+  svg.text(LobeTitleAt + Point(0, 17), lobe.scale_text(), {11, "#666", Anchor::Start, 0});
 }
 
 }  // namespace
@@ -286,11 +272,7 @@ void draw_subdivision_header(const SubdivisionSubject& subject, const std::strin
   const std::string brdf = grf::to_text(subject.viewed.model);
   svg.text({Left, 30}, brdf,
            {plot::fitting_size(17, brdf, svg.width() - 2 * Left), "#111", Anchor::Start, 0});
-  const Angles& view = subject.viewed.view;
-  svg.text({Left, 54},
-           fmt::format("viewed at \u03B8 = {:.4g}\u00B0, \u03C6 = {:.4g}\u00B0; {}", view.theta / Degree,
-                       std::remainder(view.phi, 2 * std::numbers::pi) / Degree, facts),
-           {13, "#333", Anchor::Start, 0});
+  svg.text({Left, 54}, viewed_text(subject.viewed.view) + "; " + facts, {13, "#333", Anchor::Start, 0});
 }
 
 void draw_subdivision(const SubdivisionSubject& subject, const StudyContext& context, plot::Svg& svg) {

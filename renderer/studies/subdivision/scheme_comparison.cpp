@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "grf/wording.h"
 #include "grf/write.h"
 #include "renderer/parallel/loops.h"
 #include "renderer/plot/colour_scale.h"
@@ -74,9 +75,7 @@ ComparedScheme compared(const grf::PdfModel& pdf, const SubdivisionSubject& subj
 }
 
 std::string memory_text(std::size_t bytes) {
-  if (bytes == 0) return "no tables";
-  return bytes < 1'000'000 ? fmt::format("tables {:.3g} KB", static_cast<double>(bytes) / 1e3)
-                           : fmt::format("tables {:.3g} MB", static_cast<double>(bytes) / 1e6);
+  return bytes == 0 ? "no tables" : "tables " + grf::bytes_text(bytes);
 }
 
 /// Returns the mean pdf in a cell of the grid per projected solid angle: even dots mean an even colour.

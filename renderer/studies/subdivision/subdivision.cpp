@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "renderer/parallel/loops.h"
 
@@ -19,11 +20,6 @@ using Function = std::function<double(const Vec3f&)>;
 
 Vec2f azimuth_of(const Angles& view) {
   return {static_cast<float>(std::cos(view.phi)), static_cast<float>(std::sin(view.phi))};
-}
-
-/// Returns whether a box has a part inside the disc. The area of one outside may be rounded to more than 0.
-bool meets_disc(const Box& box) {
-  return std::hypot(std::clamp(0.0, box.x0, box.x1), std::clamp(0.0, box.y0, box.y1)) < 1;
 }
 
 /// Integrates p over the directions above a box inside the disc. In the coordinate that is larger there, the
@@ -60,9 +56,8 @@ Subdivision::Subdivision(const reflectance::Brdf& brdf, const Angles& view, cons
   cell_of_node_.resize(tree_.nodes().size());
   const double whole = tree_.nodes().front().integral;
   tree_.visit_leaves([&](const RejectionTree::Leaf& leaf, int depth) {
-    const Box box = DiscGrid::box(leaf.cells, grid_.resolution());
-    if (!(leaf.node->integral > 0) || !meets_disc(box)) return;
-    const double area = inside_disc(box).area();
+    if (!(leaf.node->integral > 0)) return;
+    const double area = inside_disc(DiscGrid::box(leaf.cells, grid_.resolution())).area();
     cell_of_node_[static_cast<std::size_t>(leaf.node - tree_.nodes().data())] = cells_.size();
     cells_.push_back({leaf.cells, depth, leaf.node->integral / whole,
                       double(leaf.node->maximum) * tree_.largest(),
@@ -95,7 +90,7 @@ void Subdivision::descend(const Point& point, Visit visit) const {
     const CellRange first = range.quarter(0);
     const int quarter = (column < first.x1 ? 0 : 1) + (row < first.y1 ? 0 : 2);
     parent = node;
-    node = &tree_.nodes()[static_cast<std::size_t>(node->children + quarter)];
+    node = &tree_.nodes()[static_cast<std::size_t>(node->children) + static_cast<std::size_t>(quarter)];
     range = range.quarter(quarter);
     visit(*node, range, parent);
   }
@@ -112,16 +107,17 @@ std::optional<std::size_t> Subdivision::cell_at(double x, double y) const {
 
 std::vector<Subdivision::Step> Subdivision::way_to(double x, double y) const {
   std::vector<Step> steps;
-  descend(to_tree(x, y),
-          [&](const RejectionTree::Node& node, const CellRange& range, const RejectionTree::Node* parent) {
-            double siblings = node.integral;
-            if (parent != nullptr) {
-              siblings = 0;
-              for (int i = 0; i < 4; ++i)
-                siblings += tree_.nodes()[static_cast<std::size_t>(parent->children + i)].integral;
-            }
-            steps.push_back({range, node.integral / siblings});
-          });
+  descend(to_tree(x, y), [&](const RejectionTree::Node& node, const CellRange& range,
+                             const RejectionTree::Node* parent) {
+    double siblings = node.integral;
+    if (parent != nullptr) {
+      const auto first = tree_.nodes().begin() + parent->children;
+      siblings = std::accumulate(first, first + 4, 0.0, [](double sum, const RejectionTree::Node& each) {
+        return sum + each.integral;
+      });
+    }
+    steps.push_back({range, node.integral / siblings});
+  });
   return steps;
 }
 

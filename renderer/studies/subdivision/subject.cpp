@@ -126,7 +126,7 @@ std::optional<SubdivisionSubject> subdivision_subject(const ToolState& state, co
     Subdivision tree = tree_of(*viewed, settings);
     CellSamples samples = samples_of(*fit, *viewed, tree);
     SubdivisionSubject subject{settings, std::move(*viewed), std::move(tree), state.pdfs.front(),
-                               file.path.substr(file.path.find_last_of('/') + 1)};
+                               grf::file_name(file.path)};
     subject.cache = context.cache;
     subject.samples = std::move(samples);
     const reflectance::Brdf& brdf = subject.viewed.brdf;

@@ -282,6 +282,26 @@ TEST(ScaledSlider, GoesThroughItsRange) {
   }
 }
 
+TEST(ScaledSlider, ReachesEachWholeNumberByKeys) {
+  for (const SliderScale scale : {SliderScale::Linear, SliderScale::Logarithmic}) {
+    ScaledSlider slider;
+    slider.set_whole(true);
+    slider.set_range(1, 12, scale);
+    slider.set_number(1);
+    // As the form does, which shows the number of the state.
+    QObject::connect(&slider, &ScaledSlider::changing, &slider,
+                     [&](double number) { slider.set_number(number); });
+    for (int number = 2; number <= 12; ++number) {
+      QTest::keyClick(&slider, Qt::Key_Right);
+      EXPECT_EQ(slider.number(), number);
+    }
+    QTest::keyClick(&slider, Qt::Key_Right);
+    EXPECT_EQ(slider.number(), 12);
+    QTest::keyClick(&slider, Qt::Key_Left);
+    EXPECT_EQ(slider.number(), 11);
+  }
+}
+
 TEST(ScaledSlider, IsLiveWhileDraggedAndFinishesOnce) {
   ScaledSlider slider;
   slider.resize(200, 24);

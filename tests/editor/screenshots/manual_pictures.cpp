@@ -63,6 +63,17 @@ QPixmap brdf_dock(BrdfEditor::View view) {
   return stage.dock("brdf").grab();
 }
 
+QPixmap placing() {
+  Stage stage({1280, 800});
+  stage.open_as_rendered(Samples + "teapot/scene.grf");
+  stage.act("Rotate gizmo");
+  stage.orbit(0.3, 0, 1);
+  stage.select_patch({0.44, 0.56}, 0);
+  stage.dock("object");
+  stage.settle();
+  return stage.picture();
+}
+
 QPixmap lights_dock() {
   Stage stage;
   stage.open(Samples + "cornell_box/cornell_box.grf");
@@ -183,10 +194,10 @@ std::vector<Picture> manual_pictures() {
       {"images", compared_images},
       {"options", option_window},
       {"viewer", viewer_window},
-      {"tool_minibpt", [] { return study_window(Samples + "studies/tools/equal_time.study"); }},
-      {"tool_brdfviewer", [] { return study_window(Samples + "studies/tools/brdf_viewer.study"); }},
-      {"tool_emviewer", [] { return study_window(Samples + "studies/tools/emviewer.study"); }},
-      {"tool_rejection", [] { return study_window(Samples + "studies/tools/rejection_brdf.study"); }},
+      {"tool_minibpt", [] { return study_window(Samples + "studies/tools/beyond_equal_time.study"); }},
+      {"tool_brdfviewer", [] { return study_window(Samples + "studies/tools/figure_6_7.study"); }},
+      {"tool_emviewer", [] { return study_window(Samples + "studies/tools/figure_6_5.study"); }},
+      {"tool_rejection", [] { return study_window(Samples + "studies/tools/figure_6_6_brdf.study"); }},
       {"tool_subdivision", [] { return study_window(Samples + "studies/tools/figure_6_10.study"); }},
       {"tool_fitplot", [] { return study_window(Samples + "studies/tools/figure_6_11.study"); }},
       {"shortcuts", shortcut_list},
@@ -194,6 +205,7 @@ std::vector<Picture> manual_pictures() {
       {"messages", messages},
       {"scene", [] { return dock_with_models("scene"); }},
       {"lights", lights_dock},
+      {"placing", placing},
       {"surface", [] { return dock_with_models("surface"); }},
       {"brdf_sphere", [] { return brdf_dock(BrdfEditor::View::Sphere); }},
       {"brdf_lobe", [] { return brdf_dock(BrdfEditor::View::Lobe); }},

@@ -98,6 +98,25 @@ TEST_F(MiniRenderWindow, OpensASceneWithItsOptions) {
   ASSERT_TRUE(window_.study());
 }
 
+// A model of another format is read in a process of its own, and its BRDF is that of the form.
+TEST_F(MiniRenderWindow, OpensAModelOfAnyFormat) {
+  set(Small);
+  const QImage sphere = window_.figure().image();
+  open({QString::fromStdString(folder_.add("box.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"))});
+  EXPECT_EQ(notice(), "");
+  EXPECT_THAT(studies::to_text(window_.state()), HasSubstr("shape=model"));
+  ASSERT_TRUE(window_.study());
+  EXPECT_THAT(window_.study()->figure.str(), HasSubstr("box.off on a floor"));
+  EXPECT_NE(window_.figure().image(), sphere);
+  open({QString::fromStdString(folder_.add("cut.off", "OFF\n3 1 0\n0 0"))});
+  EXPECT_THAT(notice(), HasSubstr("cut.off"));
+  EXPECT_FALSE(window_.study());
+  test::action(window_, "Undo").trigger();
+  ASSERT_TRUE(is_done());
+  EXPECT_EQ(notice(), "");
+  EXPECT_TRUE(window_.study());
+}
+
 TEST_F(MiniRenderWindow, SaysWhatIsWrongAndGoesOn) {
   set(Small);
   open({QString::fromStdString(folder_.add("zeros.hdr", std::string(500'000, '\0')))});

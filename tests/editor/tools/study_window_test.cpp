@@ -11,6 +11,8 @@
 
 #include "editor/appearance/theme.h"
 #include "tests/editor/tools/study_tool_test.h"
+#include "tests/support/paths.h"
+#include "tests/support/run.h"
 
 namespace editor {
 namespace {
@@ -20,6 +22,35 @@ using testing::StartsWith;
 
 constexpr const char* Fit =
     "diffuse kd=0.5\nviewer (0.5, 0)\nbegin\n(0, 0, 1) 0.159155\n(0.6, 0, 0.8) 0.2\nend\n";
+
+/// Counts how often it is to show a state.
+class CountingWindow : public ToolWindow {
+ public:
+  CountingWindow() : ToolWindow(studies::study_tool("fitplot").value(), nullptr) { begin(new QWidget); }
+  bool has_picture() const override { return true; }
+  bool is_busy() const override { return false; }
+
+  int requests = 0;
+  std::size_t files = 0;
+
+ protected:
+  void request() override {
+    ++requests;
+    files = state().files.size();
+  }
+  std::vector<studies::DataFile> data_files() const override { return {}; }
+};
+
+TEST(ToolWindow, ShowsTheFilesThatItIsOpenedWithAtOnce) {
+  CountingWindow window;
+  window.open({"a.fit"});
+  QApplication::processEvents();
+  EXPECT_EQ(window.requests, 1);
+  EXPECT_EQ(window.files, 1U);
+  CountingWindow empty;
+  QApplication::processEvents();
+  EXPECT_EQ(empty.requests, 1);
+}
 
 class StudyWindowTest : public StudyToolTest {
  protected:
@@ -33,6 +64,18 @@ class StudyWindowTest : public StudyToolTest {
   }
 };
 
+// Files on the command line are shown as those that a window is opened with.
+TEST(Program, MakesTheFigureOfAFile) {
+  const test::TemporaryFolder folder;
+  const std::string model = folder.add("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const std::string figure = folder.path("a.svg");
+  const test::Outcome outcome =
+      test::run({GRANADA_BIN_DIR "/wannabe", "--tool", "brdfviewer", model, "-o", figure});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "ward on 1 triangle, 1 light\n");
+  EXPECT_THAT(test::bytes_of(figure), StartsWith("<svg "));
+}
+
 TEST_F(StudyWindowTest, SaysWhatToDoWithoutAFile) {
   EXPECT_FALSE(window_.study());
   EXPECT_EQ(notice(), "") << "no file is no mistake";
@@ -44,7 +87,7 @@ TEST_F(StudyWindowTest, ShowsAFileAndDescribesWhatIsUnderThePointer) {
   ASSERT_TRUE(window_.study());
   FigureView& figure = window_.figure();
   EXPECT_FALSE(figure.image().isNull());
-  EXPECT_THAT(figure.accessibleDescription().toStdString(), HasSubstr("1 values differ"));
+  EXPECT_THAT(figure.accessibleDescription().toStdString(), HasSubstr("1 value differs"));
   // The normal is at the centre of the disc, at (750, 206) of the figure.
   QTest::mouseMove(&figure, figure.in_widget({750, 206}).toPoint());
   EXPECT_TRUE(QTest::qWaitFor([this] { return pointed().startsWith("\u03B8 = 0\u00B0"); }))
@@ -83,6 +126,20 @@ TEST_F(StudyWindowTest, FollowsItsForm) {
   ASSERT_TRUE(is_done());
   EXPECT_NE(window_.figure().image(), before);
   EXPECT_THAT(studies::to_text(window_.state()), StartsWith("tool fitplot azimuth=10\n"));
+}
+
+TEST_F(StudyWindowTest, SaysWhatToDoInAnEmptyListOfFiles) {
+  auto& files = test::named<QListWidget>(window_, "Files");
+  const auto has_words = [&] {
+    const QImage image = files.viewport()->grab().toImage();
+    QImage plain = image;
+    plain.fill(image.pixelColor(0, image.height() - 1));
+    return image != plain;
+  };
+  EXPECT_TRUE(has_words());
+  files.addItem("");
+  files.setCurrentRow(-1);
+  EXPECT_FALSE(has_words());
 }
 
 TEST_F(StudyWindowTest, AddsAndRemovesFiles) {
@@ -156,7 +213,8 @@ TEST_F(StudyWindowTest, KeepsItsSettingsAsText) {
 TEST_F(StudyWindowTest, ExportsWhatItShows) {
   open({fit()});
   for (const auto& [name, start] : {std::pair("a.svg", "<svg "), {"a.png", "\x89PNG"}, {"a.pdf", "%PDF-"}}) {
-    EXPECT_EQ(message_of([&] { window_.export_figure(path(name)); }), "") << name;
+    const QString file = path(name);
+    EXPECT_EQ(message_of([&] { window_.export_figure(file); }), "") << name;
     EXPECT_THAT(test::bytes_of(folder_.path(name)), StartsWith(start));
   }
   EXPECT_THAT(test::bytes_of(folder_.path("a.svg")), HasSubstr("fill=\"#fff\""))

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "editor/controls/scaled_slider.h"
 #include "tests/editor/tools/study_tool_test.h"
 
 namespace editor {
@@ -33,6 +34,19 @@ TEST_F(SubdivisionWindow, SubdividesAsItsSettingsSay) {
   type("count", "100");
   ASSERT_TRUE(is_done());
   EXPECT_THAT(summary(), HasSubstr("100 samples by adaptive"));
+}
+
+TEST_F(SubdivisionWindow, HasWholeNumbersOfLevels) {
+  set(SmallTree);
+  auto& slider = test::named<ScaledSlider>(window_, "depth");
+  const double before = number("depth");
+  slider.setFocus();
+  QTest::keyClick(&slider, Qt::Key_Left);
+  ASSERT_TRUE(is_done());
+  EXPECT_EQ(number("depth"), before - 1);
+  type("depth", "2.5");
+  ASSERT_TRUE(is_done());
+  EXPECT_THAT(notice(), HasSubstr("2.5 is not whole"));
 }
 
 TEST_F(SubdivisionWindow, DescribesTheCellUnderThePointer) {
