@@ -18,7 +18,17 @@ namespace {
 constexpr double LargestLampNumber = std::numeric_limits<float>::max();
 constexpr double SmallestLampSize = 1e-6;
 
-enum LampRow { PositionRow, DirectionRow, SizeRow, RadiusRow, RadianceRow, OutputRow, ButtonRow, EndRow };
+enum LampRow {
+  PositionRow,
+  DirectionRow,
+  SizeRow,
+  RadiusRow,
+  RadianceRow,
+  PowerRow,
+  TemperatureRow,
+  ButtonRow,
+  EndRow
+};
 
 }  // namespace
 
@@ -109,13 +119,13 @@ void LampForm::add_output() {
   temperature_ =
       number_box({tr("Colour temperature"),
                   tr("Colour temperature: sets the radiance to the colour of a black body, with the same "
-                     "power. Candles have 1900 K, halogen lamps 3000 K, daylight 6500 K. Empty if no black "
-                     "body has the light's colour"),
+                     "power. Candles have 1900 K, halogen lamps 3000 K, daylight 6500 K"),
                   LeastTemperature, LargestTemperature, 100, tr("K")},
                  this);
-  layout_->addWidget(new QLabel(tr("Power"), this), OutputRow, 0);
-  layout_->addWidget(power_, OutputRow, 1);
-  layout_->addWidget(temperature_, OutputRow, 2, 1, 2);
+  layout_->addWidget(new QLabel(tr("Power"), this), PowerRow, 0);
+  layout_->addWidget(power_, PowerRow, 1, 1, 3);
+  layout_->addWidget(new QLabel(tr("Temperature"), this), TemperatureRow, 0);
+  layout_->addWidget(temperature_, TemperatureRow, 1, 1, 3);
   connect(radiance_, &ColourFields::edited, this, [this](const grf::Colour& radiance) {
     Lamp lamp = lamp_;
     lamp.radiance = radiance;
@@ -191,7 +201,7 @@ void LampForm::show_radiance() {
   if (const auto kelvin = temperature_of(lamp_.radiance)) {
     temperature_->set_value(*kelvin);
   } else {
-    temperature_->set_blank({});
+    temperature_->set_blank(tr("none"));  // no black body has this colour
   }
 }
 
