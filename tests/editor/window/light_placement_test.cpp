@@ -92,6 +92,28 @@ TEST_F(LightPlacement, HighlightsFollowADrag) {
   EXPECT_EQ(document().scene(), before);
 }
 
+TEST_F(LightPlacement, HighlightsReflectAtInterpolatedNormals) {
+  folder_.add("smooth.grf",
+              "light begin rgb (5, 5, 5) (-0.5, 4, -0.25) (1, 0, 0) (0, 0, 0.5) end\n"
+              "begin mesh\nbegin vertices\nnormal (0, 0, 1) (-2, -2, 2)\nnormal (0, 0, 1) (2, -2, 2)\n"
+              "normal (0, 1, 0) (2, 2, -2)\nnormal (0, 1, 0) (-2, 2, -2)\nend vertices\n"
+              "begin faces (0, 1, 2, 3) end faces\nend mesh\n");
+  open(path("smooth.grf"));
+  panel().choose(document().objects().lights.front().path);
+  click_button("Highlight");
+  const QPoint at = pixel(0.47, 0.53);
+  const grf::Vec3d point = point_at(at);
+  const double distance = (centre() - point).length();
+  QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, at);
+  // Linear from the lower edge to the upper one.
+  const double t = (point.y + 2) / 4;
+  const grf::Vec3d normal_there = grf::Vec3d(0, t, 1 - t).normalized();
+  const grf::Vec3d to_lamp = (centre() - point).normalized();
+  expect_near((to_lamp - ray_at(at).direction.normalized()).normalized(), normal_there);
+  expect_near(normal(), -to_lamp);
+  EXPECT_NEAR((centre() - point).length(), distance, 1e-5);
+}
+
 TEST_F(LightPlacement, EscapeCancels) {
   for (const char* name : {"Aim", "Highlight"}) {
     click_button(name);
