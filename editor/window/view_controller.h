@@ -17,7 +17,7 @@ struct HandleId;
 struct SurfacePoint;
 
 /// Connects the 3D view to a document: selection, moving lights, observers and the camera, BRDFs dropped on
-/// faces, and copying the surface of a picked face.
+/// faces, and points that are picked.
 class ViewController : public QObject {
   Q_OBJECT
 
