@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -18,7 +19,7 @@
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
 #include "editor/document/object_edits.h"
-#include "editor/panels/colour_fields.h"
+#include "editor/panels/lamp_form.h"
 
 namespace editor {
 namespace {
@@ -35,22 +36,6 @@ QString name_of(const Emitter& emitter) {
   if (emitter.kind == Emitter::Kind::AreaLight) return LightPanel::tr("light");
   if (emitter.kind == Emitter::Kind::MeshLight) return LightPanel::tr("mesh light");
   return emitter.name.empty() ? LightPanel::tr("faces of a mesh") : QString::fromStdString(emitter.name);
-}
-
-/// An area light above the centre of the bounds, facing down.
-grf::AreaLight light_over(const grf::Box3d& bounds) {
-  constexpr double Part = 0.25;
-  const bool is_empty = bounds.isEmpty();
-  const double size = is_empty ? 1 : std::max(Part * bounds.size().length(), 1e-3);
-  const grf::Vec3d middle = is_empty ? grf::Vec3d(0) : bounds.center();
-  const double height = is_empty ? 1 : bounds.max.y + size / 4;
-  grf::AreaLight light;
-  light.corner = grf::Vec3f(grf::Vec3d(middle.x - size / 2, height, middle.z - size / 2));
-  light.edge1 = grf::Vec3f(static_cast<float>(size), 0, 0);
-  light.edge2 = grf::Vec3f(0, 0, static_cast<float>(size));
-  constexpr float Radiance = 10;
-  light.radiance = grf::Colour(Radiance);
-  return light;
 }
 
 grf::Vec3f& vector_of(grf::AreaLight& light, std::size_t which) {
@@ -99,9 +84,22 @@ QWidget* LightPanel::make_buttons() {
   auto* row = new QWidget(this);
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(tool_button(
-      "add", tr("Add a light"), tr("Add an area light above the scene, facing down"), [this] { add(); },
-      row));
+  QToolButton* add_button = tool_button(
+      "add", tr("Add a light"),
+      tr("Add a rectangular light above the scene, facing down; the arrow has discs and spheres"),
+      [this] { add(); }, row);
+  auto* menu = new QMenu(add_button);
+  const auto add_shape = [this, menu](const QString& name, const QString& tip, LampShape shape) {
+    menu->addAction(name, this, [this, shape] { add(shape); })->setToolTip(tip);
+  };
+  add_shape(tr("&Rectangle"), tr("Add a rectangular light above the scene, facing down"),
+            LampShape::Rectangle);
+  add_shape(tr("&Disc"), tr("Add a disc above the scene, facing down: a mesh light"), LampShape::Disc);
+  add_shape(tr("&Sphere"), tr("Add a spherical light above the scene: a mesh light"), LampShape::Sphere);
+  menu->setToolTipsVisible(true);
+  add_button->setMenu(menu);
+  add_button->setPopupMode(QToolButton::MenuButtonPopup);
+  layout->addWidget(add_button);
   remove_ = tool_button(
       "delete", tr("Delete the light"), {}, [this] { remove(); }, row);
   layout->addWidget(remove_);
@@ -110,10 +108,30 @@ QWidget* LightPanel::make_buttons() {
 }
 
 QWidget* LightPanel::make_form() {
+  auto* page = new QWidget(pages_);
+  auto* layout = tight_layout<QVBoxLayout>(page, Grid);
+  corner_ = make_corner();
+  form_ = new LampForm(page);
+  layout->addWidget(corner_);
+  layout->addWidget(form_, 1);
+  connect(form_, &LampForm::edited, this, [this](const Lamp& lamp, const QString& title, const QString& key) {
+    if (this->lamp()) {
+      change_lamp(lamp, title, key);
+    } else if (chosen_light() != nullptr) {
+      grf::AreaLight light = chosen_light()->light;
+      light.radiance = lamp.radiance;
+      change(title, light, key);
+    }
+  });
+  connect(form_, &LampForm::finished, &document_, &Document::finish_gesture);
+  connect(form_, &LampForm::aim_requested, this, &LightPanel::aim_requested);
+  connect(form_, &LampForm::highlight_requested, this, &LightPanel::highlight_requested);
+  return page;
+}
+
+QWidget* LightPanel::make_corner() {
   auto* form = new QWidget(pages_);
-  auto* layout = new QGridLayout(form);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setHorizontalSpacing(Grid / 2);
+  auto* layout = tight_layout<QGridLayout>(form);
   layout->setVerticalSpacing(Grid);
   const std::array<QString, 3> names = {tr("Corner"), tr("Edge 1"), tr("Edge 2")};
   const std::array<QString, 3> helps = {
@@ -124,45 +142,19 @@ QWidget* LightPanel::make_form() {
     layout->addWidget(new QLabel(names[line], form), static_cast<int>(line), 0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const QString name = tr("%1, %2").arg(names[line], QString("xyz").mid(static_cast<qsizetype>(axis), 1));
-      vectors_[line][axis] = number_box({name, tr("%1: %2").arg(name, helps[line]), -Largest, Largest}, form);
-      layout->addWidget(vectors_[line][axis], static_cast<int>(line), static_cast<int>(axis) + 1);
-    }
-  }
-  radiance_ = new ColourFields(tr("Radiance"), tr("emitted radiance, W/(sr m²)"), Largest, form);
-  power_ = number_box({tr("Power"), tr("Emitted power: π × area × mean of the radiance's RGB values"), 0,
-                       Largest, 10, tr("W")},
-                      form);
-  layout->addWidget(new QLabel(tr("Radiance"), form), 3, 0);
-  layout->addWidget(radiance_, 3, 1, 1, 3);
-  layout->addWidget(new QLabel(tr("Power"), form), 4, 0);
-  layout->addWidget(power_, 4, 1, 1, 3);
-  layout->setRowStretch(5, 1);
-  connect_form();
-  return form;
-}
-
-void LightPanel::connect_form() {
-  const auto finish = [this] { document_.finish_gesture(); };
-  for (std::size_t line = 0; line < 3; ++line) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+      NumberBox* box = number_box({name, tr("%1: %2").arg(name, helps[line]), -Largest, Largest}, form);
+      vectors_[line][axis] = box;
+      layout->addWidget(box, static_cast<int>(line), static_cast<int>(axis) + 1);
       const auto take = [this, line, axis](double number) {
         if (chosen_light() == nullptr) return;
         grf::AreaLight light = chosen_light()->light;
         vector_of(light, line)[static_cast<int>(axis)] = static_cast<float>(number);
         change(tr("Move light"), light, QString("light %1 %2").arg(line).arg(axis));
       };
-      connect_number(vectors_[line][axis], this, take, finish);
+      connect_number(box, this, take, [this] { document_.finish_gesture(); });
     }
   }
-  connect(radiance_, &ColourFields::edited, this, [this](const grf::Colour& radiance) {
-    if (chosen_light() == nullptr) return;
-    grf::AreaLight light = chosen_light()->light;
-    light.radiance = radiance;
-    change(tr("Set light radiance"), light, "light radiance");
-  });
-  connect(radiance_, &ColourFields::finished, this, finish);
-  connect_number(
-      power_, this, [this](double power) { change_power(power); }, finish);
+  return form;
 }
 
 QSize LightPanel::sizeHint() const { return {360, 480}; }
@@ -213,20 +205,23 @@ void LightPanel::show_chosen() {
   const LightObject* light = chosen_light();
   const Emitter* emitter = chosen_emitter();
   show_or_hide(problem_, {});
+  const std::optional<Lamp> lamp = this->lamp();
+  const bool has_form = lamp || light != nullptr;
   enable(remove_, tr("Delete the light"),
-         light == nullptr ? tr("Select a light first; emission of faces is edited in the Surface dock.")
-                          : QString());
-  pages_->setCurrentIndex(light != nullptr ? 2 : emitter != nullptr ? 1 : 0);
+         has_form ? QString() : tr("Select a light first; emission of faces is edited in the Surface dock."));
+  pages_->setCurrentIndex(has_form ? 2 : emitter != nullptr ? 1 : 0);
   hint_->setText(emitters_.empty() ? tr("The scene has no lights.\n\nAdd an area light with +, or select "
                                         "faces and set their emission in the Surface dock.")
                                    : tr("Select a light to edit it, or add one."));
-  if (emitter != nullptr && light == nullptr) {
+  if (emitter != nullptr && !has_form) {
     about_->setText(
         emitter->count == 1
             ? tr("One face of a mesh emits. It is selected: edit its emission in the Surface dock.")
             : tr("%1 faces of a mesh emit. They are selected: edit their emission in the Surface dock.")
                   .arg(emitter->count));
   }
+  corner_->setVisible(light != nullptr && !lamp);
+  if (lamp) return form_->show_lamp(*lamp, emitter->area);
   if (light == nullptr) return;
   grf::AreaLight shown = light->light;
   for (std::size_t line = 0; line < 3; ++line) {
@@ -234,9 +229,12 @@ void LightPanel::show_chosen() {
       vectors_[line][axis]->set_value(static_cast<double>(vector_of(shown, line)[static_cast<int>(axis)]));
     }
   }
-  const grf::Colour radiance = shown.radiance.value_or(grf::Colour(1));
-  radiance_->show_colour(radiance);
-  power_->set_value(power_of(radiance, world_area(*light)));
+  form_->show_output(shown.radiance.value_or(grf::Colour(1)), world_area(*light));
+}
+
+std::optional<Lamp> LightPanel::lamp() const {
+  if (chosen_emitter() == nullptr) return std::nullopt;
+  return lamp_at(document_.scene(), document_.objects(), *path_);
 }
 
 void LightPanel::choose_item() {
@@ -260,24 +258,28 @@ void LightPanel::choose_item() {
 void LightPanel::change(const QString& text, const grf::AreaLight& light, const QString& key) {
   grf::Diagnostics diagnostics;
   auto scene = change_light(document_.scene(), *path_, light, diagnostics);
-  if (scene) {
-    document_.replace(text, std::move(*scene), key);
-  } else {
-    show_or_hide(problem_, QString::fromStdString(diagnostics.entries().front().message));
-  }
+  if (!scene) return report(diagnostics);
+  document_.replace(text, std::move(*scene), key);
 }
 
-void LightPanel::change_power(double power) {
-  const LightObject* light = chosen_light();
-  if (light == nullptr) return;
-  grf::AreaLight changed = light->light;
-  changed.radiance = radiance_of(power, world_area(*light), changed.radiance.value_or(grf::Colour(1)));
-  change(tr("Set light power"), changed, "light power");
+void LightPanel::report(const grf::Diagnostics& diagnostics) {
+  show_or_hide(problem_, QString::fromStdString(diagnostics.entries().front().message));
 }
 
-void LightPanel::add() {
-  document_.replace(tr("Add light"), add_light(document_.scene(), light_over(document_.objects().bounds)));
-  choose(document_.objects().lights.back().path);
+void LightPanel::change_lamp(const Lamp& lamp, const QString& title, const QString& key) {
+  grf::Diagnostics diagnostics;
+  auto edited = editor::change_lamp(document_.scene(), document_.objects(), *path_, lamp, diagnostics);
+  if (!edited) return report(diagnostics);
+  document_.select_objects({*path_});
+  path_ = edited->paths.front();
+  document_.replace_objects(title, std::move(*edited), key);
+}
+
+void LightPanel::add(LampShape shape) {
+  document_.replace(tr("Add light"),
+                    add_lamp(document_.scene(), lamp_over(shape, document_.objects().bounds)));
+  const SceneObjects& objects = document_.objects();
+  choose(shape == LampShape::Rectangle ? objects.lights.back().path : objects.instances->back().path);
   emit chosen(*path_);
 }
 

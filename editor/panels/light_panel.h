@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "editor/document/document.h"
+#include "editor/document/lamp.h"
 #include "editor/document/light_edits.h"
 
 class QLabel;
@@ -15,11 +16,11 @@ class QTreeWidget;
 
 namespace editor {
 
-class ColourFields;
+class LampForm;
 class NumberBox;
 
-/// Lists all emitters of a scene with their power, and edits corner, edges and radiance of the selected
-/// light.
+/// Lists all emitters of a scene with their power, and edits the selected light: as a lamp, or corner and
+/// edges of an area light that is no rectangle.
 class LightPanel : public QWidget {
   Q_OBJECT
 
@@ -29,25 +30,32 @@ class LightPanel : public QWidget {
 
   /// Selects the emitter at a path, if there is one.
   void choose(grf::ScenePathView path);
-  /// Adds an area light above the scene, facing down, and selects it.
-  void add();
+  /// Adds a lamp above the scene, facing down, and selects it.
+  void add(LampShape shape = LampShape::Rectangle);
+  /// The selected lamp, if one is.
+  std::optional<Lamp> lamp() const;
+  /// Changes the selected lamp. Steps with the same key are merged until Document::finish_gesture.
+  void change_lamp(const Lamp& lamp, const QString& title, const QString& key = {});
 
   QSize sizeHint() const override;
 
  signals:
   /// Emitted when a light is selected in the list.
   void chosen(const grf::ScenePath& path);
+  /// See LampForm.
+  void aim_requested();
+  void highlight_requested();
 
  private:
   QWidget* make_form();
-  void connect_form();
+  QWidget* make_corner();
   QWidget* make_buttons();
   void show_lights();
   bool concerns_lights(const Change& change) const;
   void show_chosen();
   void choose_item();
   void change(const QString& text, const grf::AreaLight& light, const QString& key);
-  void change_power(double power);
+  void report(const grf::Diagnostics& diagnostics);
   void remove();
   const LightObject* chosen_light() const;
   const Emitter* chosen_emitter() const;
@@ -62,8 +70,8 @@ class LightPanel : public QWidget {
   QLabel* problem_;
   QToolButton* remove_ = nullptr;
   std::array<std::array<NumberBox*, 3>, 3> vectors_{};  // corner, edge 1, edge 2
-  ColourFields* radiance_ = nullptr;
-  NumberBox* power_ = nullptr;
+  QWidget* corner_ = nullptr;                           ///< the form of these
+  LampForm* form_ = nullptr;
 };
 
 }  // namespace editor

@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QPainter>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace editor {
@@ -125,9 +126,42 @@ std::optional<SceneHit> intersect(const SceneObjects& objects, const std::vector
     if (geometry == nullptr) continue;
     const auto hit = geometry->intersect(transformed(ray, instance.to_world.inverse()));
     if (!hit || (nearest && hit->distance >= nearest->distance)) continue;
-    nearest = {{instance.mesh, geometry->arrays().face_of_triangle[hit->triangle]}, i, hit->distance};
+    nearest = {
+        {instance.mesh, geometry->arrays().face_of_triangle[hit->triangle]}, i, hit->distance, hit->triangle};
   }
   return nearest;
+}
+
+grf::Vec3d normal_at(const SceneObjects& objects, const std::vector<MeshShape>& shapes, const ViewRay& ray,
+                     const SceneHit& hit) {
+  const MeshInstance& instance = (*objects.instances)[hit.instance];
+  const TriangleArrays& arrays = shapes[instance.mesh].geometry->arrays();
+  const TriangleArrays::Triangle& triangle = arrays.triangles[hit.triangle];
+  const grf::Matrix44d to_local = instance.to_world.inverse();
+  const grf::Vec3d a(arrays.positions[triangle[0]]), b(arrays.positions[triangle[1]]),
+      c(arrays.positions[triangle[2]]);
+  const grf::Vec3d across = (b - a).cross(c - a);
+  grf::Vec3d local = across;
+  const auto has_normal = [&](std::uint32_t corner) {
+    return corner < arrays.normals.size() && arrays.normals[corner].w > 0;
+  };
+  if (std::ranges::all_of(triangle, has_normal) && across.length2() > 0) {
+    // Barycentric coordinates as ratios of areas.
+    const grf::Vec3d point = transformed(ray, to_local).at(hit.distance);
+    const std::array<double, 3> weights = {(b - point).cross(c - point).dot(across),
+                                           (c - point).cross(a - point).dot(across),
+                                           (a - point).cross(b - point).dot(across)};
+    grf::Vec3d sum(0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Imath::V4f& normal = arrays.normals[triangle[i]];
+      sum += grf::Vec3d(grf::Vec3f(normal.x, normal.y, normal.z)).normalized() * weights[i];
+    }
+    if (sum.length2() > 0) local = sum;
+  }
+  grf::Vec3d normal;
+  to_local.transposed().multDirMatrix(local, normal);
+  normal.normalize();
+  return normal.dot(ray.direction) > 0 ? -normal : normal;
 }
 
 FaceSelection visible_in_region(const ProjectedScene& scene, const QPolygonF& region,

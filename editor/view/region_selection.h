@@ -23,9 +23,14 @@ struct SceneHit {
   FaceId face;
   std::uint32_t instance = 0;
   double distance = 0;
+  std::uint32_t triangle = 0;  ///< of the mesh's geometry
 };
 std::optional<SceneHit> intersect(const SceneObjects& objects, const std::vector<MeshShape>& shapes,
                                   const ViewRay& ray);
+/// The unit normal at an intersection in world space, toward the origin of the ray: interpolated if all
+/// corners of the triangle have one, else that of the triangle.
+grf::Vec3d normal_at(const SceneObjects& objects, const std::vector<MeshShape>& shapes, const ViewRay& ray,
+                     const SceneHit& hit);
 
 /// The visible faces of a region of the image, whose corners are in pixels from the upper left: those that
 /// cover a pixel of it, and those smaller than a pixel whose centre is in the region and not occluded.

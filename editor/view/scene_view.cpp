@@ -272,6 +272,14 @@ std::optional<FaceId> SceneView::face_at(const QPointF& pixel) const {
   return hit ? std::optional(hit->face) : std::nullopt;
 }
 
+std::optional<SurfacePoint> SceneView::surface_at(const QPointF& pixel) const {
+  const std::optional<SceneHit> hit = hit_at(pixel);
+  if (!hit) return std::nullopt;
+  const ViewRay ray = camera().ray(place_at(pixel), aspect());
+  return SurfacePoint{hit->face, ray.at(hit->distance), normal_at(*objects_, geometry_.shapes(), ray, *hit),
+                      ray.direction};
+}
+
 void SceneView::tell_hovered() {
   const SceneHandle* handle = handles_.at(to_vector(hovered_at_), camera(), window_size());
   if (handles_.hover(handle)) draw();

@@ -21,6 +21,14 @@ namespace editor {
 
 struct SceneHit;
 
+/// A point of a surface that is seen in a view, in world space.
+struct SurfacePoint {
+  FaceId face;
+  grf::Vec3d position;
+  grf::Vec3d normal;          ///< unit, toward the eye; interpolated where vertices have normals
+  grf::Vec3d view_direction;  ///< from the eye
+};
+
 /// Displays a scene, and handles selection and dragging. It edits nothing: gestures emit signals, and their
 /// effect arrives by `show` and `set_selection`. The image is rendered asynchronously in a thread, which also
 /// evaluates boxes and lassos.
@@ -88,6 +96,8 @@ class SceneView : public QWidget {
   bool is_selecting() const { return pending_region_.has_value(); }
   /// The face that a click at this position of the widget would select.
   std::optional<FaceId> face_at(const QPointF& pixel) const;
+  /// The point of the surface there.
+  std::optional<SurfacePoint> surface_at(const QPointF& pixel) const;
   /// Selects as a click at this position of the widget does.
   void click(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
   /// The handles of lights, observers and the camera.

@@ -218,8 +218,12 @@ void MainWindow::connect_panels() {
     Docks::show(brdf_dock_);
     brdf_editor_->form().setFocus();
   });
-  connect(surface_, &SurfacePanel::pick_requested, this,
-          [this] { view_controller_->pick_face([this](FaceId face) { surface_->take_from(face); }); });
+  connect(surface_, &SurfacePanel::pick_requested, this, [this] {
+    view_controller_->pick({tr("Click the face to copy the surface from, or press Escape to cancel"),
+                            [this](const SurfacePoint& point) { surface_->take_from(point.face); }});
+  });
+  connect(lights_, &LightPanel::aim_requested, this, &MainWindow::aim_light);
+  connect(lights_, &LightPanel::highlight_requested, this, &MainWindow::light_highlight);
   connect(surface_, &SurfacePanel::bake_requested, bake_, &BakeController::bake);
   connect(messages_, &MessagePanel::place_requested, pages_, &Pages::show_source);
   connect(messages_, &MessagePanel::chosen, tree_,
@@ -233,6 +237,32 @@ void MainWindow::connect_panels() {
   });
   connect(bake_, &BakeController::status_message, this, &MainWindow::show_status);
   connect(bake_, &BakeController::failed, this, &MainWindow::fail);
+}
+
+void MainWindow::aim_light() {
+  view_controller_->pick({tr("Click what the light shall shine on, or press Escape to cancel"),
+                          [this](const SurfacePoint& point) {
+                            std::optional<Lamp> lamp = lights_->lamp();
+                            if (!lamp) return;
+                            aim(*lamp, point.position);
+                            lights_->change_lamp(*lamp, tr("Aim light"));
+                          }});
+}
+
+void MainWindow::light_highlight() {
+  // The distance from the first point of a drag is kept.
+  const auto distance = std::make_shared<std::optional<double>>();
+  const auto picked = [this, distance](const SurfacePoint& point) {
+    std::optional<Lamp> lamp = lights_->lamp();
+    // A mesh light reflects nothing; it may be the lamp itself.
+    if (!lamp || document_.objects().meshes[point.face.mesh].is_light) return;
+    if (!*distance) *distance = (lamp->centre - point.position).length();
+    editor::light_highlight(*lamp, point.position, point.normal, point.view_direction, **distance);
+    lights_->change_lamp(*lamp, tr("Light highlight"), "light highlight");
+  };
+  view_controller_->pick(
+      {tr("Click or drag where the light's reflection shall be, or press Escape to cancel"), picked,
+       [this] { document_.finish_gesture(); }, true});
 }
 
 void MainWindow::connect_renders() {

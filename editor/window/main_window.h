@@ -86,6 +86,8 @@ class MainWindow : public QMainWindow {
   void connect_files();
   void connect_panels();
   void connect_renders();
+  void aim_light();
+  void light_highlight();
   void show_title();
   void show_status(const QString& message);
   void fail(const QString& message);

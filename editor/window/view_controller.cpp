@@ -75,17 +75,29 @@ void ViewController::select_objects(const std::vector<grf::ScenePath>& paths,
   document_.select_objects(std::move(selected));
 }
 
-void ViewController::pick_face(const std::function<void(FaceId)>& picked) {
-  picked_ = picked;
+void ViewController::pick(const Pick& pick) {
+  pick_ = pick;
+  view_.installEventFilter(this);  // before other filters, such as that of a gizmo
   view_.setCursor(Qt::CrossCursor);
   view_.setFocus();
-  emit status_message(tr("Click the face to copy the surface from, or press Escape to cancel"));
+  emit status_message(pick.message);
+}
+
+/// Returns whether the pointer is there to pick.
+bool ViewController::pick_at(const QPointF& pixel, Qt::MouseButtons buttons) {
+  if (!pick_ || !buttons.testFlag(Qt::LeftButton)) return false;
+  const auto picked = pick_->picked;
+  const std::optional<SurfacePoint> point = view_.surface_at(pixel);
+  if (!pick_->follows_drag) end_picking();
+  if (point) picked(*point);
+  return true;
 }
 
 void ViewController::end_picking() {
-  picked_ = {};
+  const auto finished = std::exchange(pick_, std::nullopt)->finished;
   view_.unsetCursor();
   emit status_message({});
+  if (finished) finished();
 }
 
 bool ViewController::eventFilter(QObject* watched, QEvent* event) {
@@ -101,17 +113,17 @@ bool ViewController::eventFilter(QObject* watched, QEvent* event) {
     }
     case QEvent::Drop:
       return drop(static_cast<QDropEvent&>(*event));
-    case QEvent::MouseButtonPress: {
-      const auto& press = static_cast<QMouseEvent&>(*event);
-      if (!picked_ || press.button() != Qt::LeftButton) return false;
-      const auto picked = std::exchange(picked_, {});
-      const std::optional<FaceId> face = view_.face_at(press.position());
-      end_picking();
-      if (face) picked(*face);
-      return true;
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseMove: {
+      const auto& pointer = static_cast<QMouseEvent&>(*event);
+      return pick_at(pointer.position(), pointer.buttons());
     }
+    case QEvent::MouseButtonRelease:
+      if (!pick_ || static_cast<QMouseEvent&>(*event).button() != Qt::LeftButton) return false;
+      end_picking();
+      return true;
     case QEvent::KeyPress:
-      if (!picked_ || static_cast<QKeyEvent&>(*event).key() != Qt::Key_Escape) return false;
+      if (!pick_ || static_cast<QKeyEvent&>(*event).key() != Qt::Key_Escape) return false;
       end_picking();
       return true;
     default:

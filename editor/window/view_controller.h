@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <functional>
+#include <optional>
 
 #include "editor/document/document.h"
 #include "grf/catalogue.h"
@@ -13,9 +14,10 @@ namespace editor {
 class RenderController;
 class SceneView;
 struct HandleId;
+struct SurfacePoint;
 
 /// Connects the 3D view to a document: selection, moving lights, observers and the camera, BRDFs dropped on
-/// faces, and copying the surface of a picked face.
+/// faces, and points that are picked.
 class ViewController : public QObject {
   Q_OBJECT
 
@@ -24,8 +26,15 @@ class ViewController : public QObject {
   ViewController(Document& document, const grf::Catalogue& catalogue, SceneView& view,
                  RenderController& render, QObject* parent);
 
-  /// Passes the next clicked face to `picked` instead of selecting it; Escape cancels.
-  void pick_face(const std::function<void(FaceId)>& picked);
+  /// Passes the point of the next click to `picked` instead of selecting its face; Escape cancels. The
+  /// message says what to click. If it follows a drag, so it gets each of its points, until `finished`.
+  struct Pick {
+    QString message;
+    std::function<void(const SurfacePoint&)> picked;
+    std::function<void()> finished = {};
+    bool follows_drag = false;
+  };
+  void pick(const Pick& pick);
 
   /// Adds an observer at the viewpoint of the 3D view.
   void add_observer();
@@ -43,13 +52,14 @@ class ViewController : public QObject {
   std::optional<grf::Scene> scene_with(const HandleId& object, const grf::Vec3d& position,
                                        grf::Diagnostics& diagnostics) const;
   bool drop(QDropEvent& event);
+  bool pick_at(const QPointF& pixel, Qt::MouseButtons buttons);
   void end_picking();
 
   Document& document_;
   const grf::Catalogue& catalogue_;
   SceneView& view_;
   RenderController& render_;
-  std::function<void(FaceId)> picked_;
+  std::optional<Pick> pick_;
 };
 
 }  // namespace editor
