@@ -227,7 +227,7 @@ void ObjectGesture::begin(Kind kind, const AxisConstraint& constraint, const Vec
                           const GizmoWindow& window) {
   hovered_.reset();
   if (!target_) return;
-  running_ = Running{kind, constraint, target_->is_local, pixel, pixel, Vec3d(0), 0, 0, Vec3d(0), 1, {}};
+  running_ = Running{kind, constraint, target_->is_local, pixel, pixel, Vec3d(0), 0, 0, 0, Vec3d(0), 1, {}};
   restart(window);
 }
 
@@ -236,7 +236,7 @@ void ObjectGesture::restart(const GizmoWindow& window) {
   const Vec3d to_eye = window.camera.eye() - target_->pivot;
   running_->towards_eye = window.camera.is_orthographic() ? -window.camera.forward() : to_eye.normalized();
   running_->offset = Vec3d(0);
-  running_->degrees = raw_degrees_ = 0;
+  running_->degrees = running_->raw_degrees = 0;
   running_->factor = 1;
   running_->last_angle = angle_at(running_->start, window);
 }
@@ -310,8 +310,10 @@ void ObjectGesture::follow_move(const GizmoWindow& window, bool snaps) {
 
 void ObjectGesture::follow_rotation(const GizmoWindow& window, bool snaps) {
   const double angle = angle_at(running_->now, window);
-  raw_degrees_ += wrapped(angle - std::exchange(running_->last_angle, angle)) * 180 / std::numbers::pi;
-  running_->degrees = snaps ? rounded_to(raw_degrees_, 5) : rounded_to_decimals(raw_degrees_, -1);
+  running_->raw_degrees +=
+      wrapped(angle - std::exchange(running_->last_angle, angle)) * 180 / std::numbers::pi;
+  running_->degrees =
+      snaps ? rounded_to(running_->raw_degrees, 5) : rounded_to_decimals(running_->raw_degrees, -1);
 }
 
 void ObjectGesture::follow_scale(const GizmoWindow& window, bool snaps) {

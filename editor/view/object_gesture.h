@@ -86,7 +86,8 @@ class ObjectGesture {
     grf::Vec2d start, now;
     grf::Vec3d offset = grf::Vec3d(0);  // along the axes
     double degrees = 0;
-    double last_angle = 0;  // radians
+    double raw_degrees = 0;  // not rounded
+    double last_angle = 0;   // radians
     grf::Vec3d towards_eye;
     double factor = 1;
     std::string typed;
@@ -106,7 +107,6 @@ class ObjectGesture {
   std::optional<Kind> tool_;
   std::optional<AxisConstraint> hovered_;
   std::optional<Running> running_;
-  double raw_degrees_ = 0;
 };
 
 /// The objects as they will be after an action: instances and lights inside these blocks are transformed.

@@ -133,6 +133,25 @@ TEST_F(Placing, DragsAnArrowOfTheGizmoAlongItsAxis) {
   EXPECT_EQ(bounds().min.z, 0);
 }
 
+TEST_F(Placing, DragsTheRingsAndHandlesOfTheOtherGizmos) {
+  open_text(cube("left", 0, 0, 0) + cube("right", 3, 0, 0));
+  click({0.5, 0.5, 1});
+  window_.view().press(Qt::Key_5);  // orthographic: a pixel is as long everywhere
+  const QPoint pivot = pixel(Vec3d(0.5));
+  test::action(window_, "Rotate gizmo").trigger();
+  // Along the ring about z, which faces the eye, counter-clockwise.
+  test::drag(window_.view(), pivot + QPoint(64, -64), pivot + QPoint(-64, -64));
+  EXPECT_EQ(document().undo_stack().undoText(), "Rotate");
+  EXPECT_THAT(text(), HasSubstr("rotation (0, 0, 1.57"));
+  document().undo_stack().undo();
+  test::action(window_, "Scale gizmo").trigger();
+  test::drag(window_.view(), pivot + QPoint(80, 0), pivot + QPoint(160, 30));
+  EXPECT_EQ(document().undo_stack().undoText(), "Scale");
+  EXPECT_NEAR(bounds().size().x, 2, 0.02);
+  EXPECT_EQ(bounds().size().y, 1);
+  EXPECT_NEAR(bounds().center().x, 0.5, 1e-6);
+}
+
 TEST_F(Placing, ClicksGoThroughTheGizmo) {
   open_text(cube("left", 0, 0, 0) + cube("right", 3, 0, 0));
   click({0.5, 0.5, 1});
