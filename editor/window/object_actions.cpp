@@ -6,6 +6,7 @@
 #include <QToolBar>
 
 #include "editor/controls/actions.h"
+#include "editor/document/studio.h"
 #include "editor/view/gizmo_input.h"
 #include "editor/view/scene_view.h"
 #include "editor/view/view_overlay.h"
@@ -24,7 +25,7 @@ ObjectActions::ObjectActions(Document& document, SceneView& view, QWidget& windo
       window_(window),
       gizmo_(new GizmoInput(view)),
       gizmos_(new QActionGroup(this)) {
-  make_shapes();
+  make_additions();
   make_gizmos();
   make_gestures();
   make_options();
@@ -37,10 +38,10 @@ ObjectActions::ObjectActions(Document& document, SceneView& view, QWidget& windo
   update_target();
 }
 
-void ObjectActions::make_shapes() {
+void ObjectActions::make_additions() {
   using Shape = PrimitiveShape::Kind;
   const auto add = [this](Shape kind, const QString& text, const QString& tip) {
-    shapes_.append(new_action(window_, {text, {}, {}, tip}, [this, kind] { add_shape(kind); }));
+    additions_.append(new_action(window_, {text, {}, {}, tip}, [this, kind] { add_shape(kind); }));
   };
   add(Shape::Plane, tr("Add a &plane"), tr("Add a square that faces up, on the floor at the orbit centre"));
   add(Shape::Box, tr("Add a &box"), tr("Add a cube on the floor at the orbit centre"));
@@ -48,6 +49,14 @@ void ObjectActions::make_shapes() {
   add(Shape::Cylinder, tr("Add a &cylinder"), tr("Add a closed cylinder on the floor at the orbit centre"));
   add(Shape::Disc, tr("Add a &disc"), tr("Add a disc that faces up, on the floor at the orbit centre"));
   add(Shape::Torus, tr("Add a &torus"), tr("Add a torus on the floor at the orbit centre"));
+  additions_.append(new_action(
+      window_,
+      {tr("Add a st&udio"), {}, {}, tr("Add a floor, a soft box and a rim light in proportion to the scene")},
+      [this] { add_studio(); }));
+}
+
+void ObjectActions::add_studio() {
+  document_.replace(tr("Add studio"), editor::add_studio(document_.scene(), document_.objects()));
 }
 
 void ObjectActions::add_shape(PrimitiveShape::Kind kind) {

@@ -29,8 +29,10 @@ class ObjectActions : public QObject {
 
   void fill(QMenu& menu);
   void fill(QToolBar& bar);
-  /// The actions that add a primitive shape.
-  const QList<QAction*>& shapes() const { return shapes_; }
+  /// The actions that add a primitive shape or a studio.
+  const QList<QAction*>& additions() const { return additions_; }
+  /// Adds a floor and two lights in proportion to the scene.
+  void add_studio();
   PivotPoint pivot() const { return pivot_; }
 
  signals:
@@ -40,7 +42,7 @@ class ObjectActions : public QObject {
   using Kind = grf::TransformStep::Kind;
   using Edit = std::function<std::optional<TransformedObjects>(grf::Diagnostics& diagnostics)>;
 
-  void make_shapes();
+  void make_additions();
   void add_shape(PrimitiveShape::Kind kind);
   void make_gizmos();
   void make_gestures();
@@ -60,7 +62,7 @@ class ObjectActions : public QObject {
   PivotPoint pivot_ = PivotPoint::Centre;
   bool is_local_ = false;
   QActionGroup* gizmos_;
-  QList<QAction*> shapes_, gestures_, pivots_, options_, placements_, mirrors_, alignments_;
+  QList<QAction*> additions_, gestures_, pivots_, options_, placements_, mirrors_, alignments_;
 };
 
 }  // namespace editor

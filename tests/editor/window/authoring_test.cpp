@@ -88,6 +88,19 @@ TEST_F(Authoring, AddsPrimitiveShapes) {
   EXPECT_TRUE(document().scene() == before);
 }
 
+TEST_F(Authoring, AddsAStudioThatReplacesTheGreySky) {
+  open(BunnyFile);
+  const grf::Scene before = document().scene();
+  EXPECT_NE(document().options().valid_options().background, grf::Vec3f(0)) << "a grey sky";
+  test::action(window_, "Add a studio").trigger();
+  EXPECT_EQ(document().objects().lights.size(), 2U);
+  EXPECT_EQ(document().objects().meshes.back().mesh->name, "floor");
+  EXPECT_EQ(document().options().valid_options().background, grf::Vec3f(0)) << "the studio replaces the sky";
+  document().undo_stack().undo();
+  EXPECT_TRUE(document().scene() == before);
+  EXPECT_NE(document().options().valid_options().background, grf::Vec3f(0));
+}
+
 TEST_F(Authoring, KeepsWhatIsEditedWhileAMeshIsSubdivided) {
   open(BunnyFile);
   test::action(window_, "All").trigger();
