@@ -109,6 +109,7 @@ void MainWindow::make_scene_menu() {
   menu->addAction(new_action(
       *this, {tr("Add an &observer"), "observer", {}, tr("Add an observer at the viewpoint of the 3D view")},
       [this] { view_controller_->add_observer(); }));
+  menu->addActions(object_actions_->additions());
   menu->addSeparator();
   menu->addActions(mesh_actions_->of_meshes());
   menu->addSeparator();

@@ -6,6 +6,7 @@
 #include <QToolBar>
 
 #include "editor/controls/actions.h"
+#include "editor/document/studio.h"
 #include "editor/view/gizmo_input.h"
 #include "editor/view/scene_view.h"
 #include "editor/view/view_overlay.h"
@@ -24,6 +25,7 @@ ObjectActions::ObjectActions(Document& document, SceneView& view, QWidget& windo
       window_(window),
       gizmo_(new GizmoInput(view)),
       gizmos_(new QActionGroup(this)) {
+  make_additions();
   make_gizmos();
   make_gestures();
   make_options();
@@ -34,6 +36,35 @@ ObjectActions::ObjectActions(Document& document, SceneView& view, QWidget& windo
   connect(&document_, &Document::changed, this, &ObjectActions::update_target);
   connect(&document_, &Document::selected_objects_changed, this, &ObjectActions::update_target);
   update_target();
+}
+
+void ObjectActions::make_additions() {
+  using Shape = PrimitiveShape::Kind;
+  const auto add = [this](Shape kind, const QString& text, const QString& tip) {
+    additions_.append(new_action(window_, {text, {}, {}, tip}, [this, kind] { add_shape(kind); }));
+  };
+  add(Shape::Plane, tr("Add a &plane"), tr("Add a square that faces up, on the floor at the orbit centre"));
+  add(Shape::Box, tr("Add a &box"), tr("Add a cube on the floor at the orbit centre"));
+  add(Shape::Sphere, tr("Add a &sphere"), tr("Add a sphere on the floor at the orbit centre"));
+  add(Shape::Cylinder, tr("Add a &cylinder"), tr("Add a closed cylinder on the floor at the orbit centre"));
+  add(Shape::Disc, tr("Add a &disc"), tr("Add a disc that faces up, on the floor at the orbit centre"));
+  add(Shape::Torus, tr("Add a &torus"), tr("Add a torus on the floor at the orbit centre"));
+  additions_.append(new_action(
+      window_,
+      {tr("Add a st&udio"), {}, {}, tr("Add a floor, a soft box and a rim light in proportion to the scene")},
+      [this] { add_studio(); }));
+}
+
+void ObjectActions::add_studio() {
+  document_.replace(tr("Add studio"), editor::add_studio(document_.scene(), document_.objects()));
+}
+
+void ObjectActions::add_shape(PrimitiveShape::Kind kind) {
+  const SceneObjects& objects = document_.objects();
+  const grf::Vec3d centre = view_.camera().target();
+  const PrimitiveShape shape = shape_of_size(kind, proportionate_size(objects.mesh_bounds));
+  document_.replace_objects(tr("Add %1").arg(QString::fromUtf8(name_of(kind).data())),
+                            add_mesh(document_.scene(), objects, mesh_of(shape), {centre.x, 0, centre.z}));
 }
 
 void ObjectActions::make_gizmos() {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "editor/document/document.h"
+#include "editor/document/primitive_shapes.h"
 
 class QAction;
 class QActionGroup;
@@ -18,7 +19,8 @@ namespace editor {
 class GizmoInput;
 class SceneView;
 
-/// Actions that place the selected objects: gizmos, gestures by keys, pivot and axes, alignment.
+/// Actions that add primitive shapes, and place the selected objects: gizmos, gestures by keys, pivot and
+/// axes, alignment.
 class ObjectActions : public QObject {
   Q_OBJECT
 
@@ -27,6 +29,10 @@ class ObjectActions : public QObject {
 
   void fill(QMenu& menu);
   void fill(QToolBar& bar);
+  /// The actions that add a primitive shape or a studio.
+  const QList<QAction*>& additions() const { return additions_; }
+  /// Adds a floor and two lights in proportion to the scene.
+  void add_studio();
   PivotPoint pivot() const { return pivot_; }
 
  signals:
@@ -36,6 +42,8 @@ class ObjectActions : public QObject {
   using Kind = grf::TransformStep::Kind;
   using Edit = std::function<std::optional<TransformedObjects>(grf::Diagnostics& diagnostics)>;
 
+  void make_additions();
+  void add_shape(PrimitiveShape::Kind kind);
   void make_gizmos();
   void make_gestures();
   void make_options();
@@ -54,7 +62,7 @@ class ObjectActions : public QObject {
   PivotPoint pivot_ = PivotPoint::Centre;
   bool is_local_ = false;
   QActionGroup* gizmos_;
-  QList<QAction*> gestures_, pivots_, options_, placements_, mirrors_, alignments_;
+  QList<QAction*> additions_, gestures_, pivots_, options_, placements_, mirrors_, alignments_;
 };
 
 }  // namespace editor

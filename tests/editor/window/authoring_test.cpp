@@ -11,6 +11,7 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <algorithm>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,6 +21,7 @@
 #include "editor/controls/number_box.h"
 #include "editor/document/brdf_mime.h"
 #include "editor/document/model_import.h"
+#include "editor/document/object_placement.h"
 #include "editor/image/image_browser.h"
 #include "editor/options/options_window.h"
 #include "editor/panels/message_panel.h"
@@ -31,6 +33,7 @@
 #include "grf/read.h"
 #include "renderer/options/op_file.h"
 #include "tests/cli/grfconvert.h"
+#include "tests/editor/scene_of.h"
 #include "tests/editor/window/window_driver.h"
 #include "tests/support/camera_image.h"
 #include "tests/support/paths.h"
@@ -55,6 +58,47 @@ void choose(QComboBox& list, const QString& text) {
   list.setFocus();
   list.setCurrentIndex(index);
   emit list.activated(index);
+}
+
+TEST_F(Authoring, AddsPrimitiveShapes) {
+  document().take(
+      scene_of("begin mesh \"ground\"\nbegin vertexs\n(-10,0,-10) (10,0,-10) (10,0,10)\nend vertexs\n"
+               "begin faces\n(2,1,0)\nend faces\nend mesh\n"),
+      {}, {});
+  ASSERT_TRUE(QTest::qWaitFor([this] { return window_.view().is_complete(); }, Minute));
+  const grf::Scene before = document().scene();
+  std::size_t count = 1;
+  for (const char* name : {"plane", "box", "sphere", "cylinder", "disc", "torus"}) {
+    test::action(window_, QString("Add a %1").arg(name)).trigger();
+    ASSERT_EQ(document().objects().meshes.size(), ++count);
+    EXPECT_EQ(document().objects().meshes.back().mesh->name, name);
+    EXPECT_EQ(document().undo_stack().undoText(), QString("Add %1").arg(name));
+    ASSERT_EQ(document().selected_objects().size(), 1U);
+    const grf::ScenePath& path = document().selected_objects().front();
+    EXPECT_EQ(path, document().objects().meshes.back().path);
+    const grf::Box3d bounds = object_bounds(document().objects(), path);
+    const grf::Vec3d size = bounds.size();
+    EXPECT_NEAR(std::max({size.x, size.y, size.z}), 5, 1e-5) << "a quarter of 20";
+    EXPECT_NEAR(bounds.min.y, 0, 1e-5) << name;
+    const grf::Vec3d centre = window_.view().camera().target();
+    EXPECT_NEAR(bounds.center().x, centre.x, 1e-5) << name;
+    EXPECT_NEAR(bounds.center().z, centre.z, 1e-5) << name;
+  }
+  while (document().undo_stack().canUndo()) document().undo_stack().undo();
+  EXPECT_TRUE(document().scene() == before);
+}
+
+TEST_F(Authoring, AddsAStudioThatReplacesTheGreySky) {
+  open(BunnyFile);
+  const grf::Scene before = document().scene();
+  EXPECT_NE(document().options().valid_options().background, grf::Vec3f(0)) << "a grey sky";
+  test::action(window_, "Add a studio").trigger();
+  EXPECT_EQ(document().objects().lights.size(), 2U);
+  EXPECT_EQ(document().objects().meshes.back().mesh->name, "floor");
+  EXPECT_EQ(document().options().valid_options().background, grf::Vec3f(0)) << "the studio replaces the sky";
+  document().undo_stack().undo();
+  EXPECT_TRUE(document().scene() == before);
+  EXPECT_NE(document().options().valid_options().background, grf::Vec3f(0));
 }
 
 TEST_F(Authoring, KeepsWhatIsEditedWhileAMeshIsSubdivided) {
