@@ -2,7 +2,7 @@
 
 #include <QFileInfo>
 #include <QUndoCommand>
-#include <cstring>
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -45,7 +45,8 @@ QByteArray packed(const FaceSelection& selection) {
 FaceSelection unpacked(const QByteArray& packed, const SceneObjects& objects) {
   const QByteArray bytes = qUncompress(packed);
   std::vector<FaceWord> words(static_cast<std::size_t>(bytes.size()) / sizeof(FaceWord));
-  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(FaceWord));
+  // Unlike memcpy, it accepts the null pointers of an empty scene.
+  std::copy_n(bytes.constData(), words.size() * sizeof(FaceWord), reinterpret_cast<char*>(words.data()));
   FaceSelection selection(objects);
   auto first = words.begin();
   for (std::uint32_t mesh = 0; mesh < selection.mesh_count(); ++mesh) {

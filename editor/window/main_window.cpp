@@ -210,7 +210,9 @@ void MainWindow::connect_panels() {
     notice_->show_notice(
         NoticeBar::Kind::Information,
         tr("The scene has no lights. Until it has one, renders use a grey sky."),
-        {{tr("Add a light"), tr("Add an area light above the scene"), [this] { lights_->add(); }}});
+        {{tr("Add a light"), tr("Add an area light above the scene"), [this] { lights_->add(); }},
+         {tr("Add a studio"), tr("Add a floor, a soft box and a rim light in proportion to the scene"),
+          [this] { object_actions_->add_studio(); }}});
   });
   connect(tree_, &SceneTree::chosen, this, [this](const grf::ScenePath& path) { lights_->choose(path); });
   connect(lights_, &LightPanel::chosen, this, [this](const grf::ScenePath& path) { tree_->choose(path); });
