@@ -236,10 +236,15 @@ void Document::select(FaceSelection selection) {
 }
 
 void Document::select_objects(std::vector<grf::ScenePath> paths) {
+  if (set_selected_objects(std::move(paths))) emit selected_objects_changed();
+}
+
+/// Returns whether others are selected now.
+bool Document::set_selected_objects(std::vector<grf::ScenePath> paths) {
   std::erase_if(paths, [this](const grf::ScenePath& path) { return block_at(scene_, path) == nullptr; });
-  if (paths == *selected_objects_) return;
+  if (paths == *selected_objects_) return false;
   selected_objects_ = std::move(paths);
-  emit selected_objects_changed();
+  return true;
 }
 
 bool Document::transform_selected(const QString& text, const TransformAction& action, const QString& key) {
@@ -358,13 +363,14 @@ void Document::show_change(const Change& change, const QByteArray* selection,
     selects = !(now == selection_);
     if (selects) set_selection(std::move(now));
   }
+  // Listeners find both selections as they are after the change.
+  std::vector<grf::ScenePath> objects = selected_objects       ? *selected_objects
+                                        : change.is_structural ? objects_carried_over(*before)
+                                                               : *selected_objects_;
+  const bool selects_objects = set_selected_objects(std::move(objects));
   emit changed(change);
   if (selects) emit selection_changed();
-  if (selected_objects) {
-    select_objects(*selected_objects);
-  } else if (change.is_structural) {
-    select_objects(objects_carried_over(*before));
-  }
+  if (selects_objects) emit selected_objects_changed();
 }
 
 /// The selected objects that have the same meshes and lights at the same paths as before.

@@ -139,6 +139,7 @@ class Document : public QObject {
   void set_selection(FaceSelection selection);
   const QByteArray& packed_selection();
   FaceSelection carried_over(const SceneObjects& before) const;
+  bool set_selected_objects(std::vector<grf::ScenePath> paths);
   std::vector<grf::ScenePath> objects_carried_over(const SceneObjects& before) const;
   Change change_of(const ScenePatch& patch) const;
 
