@@ -15,6 +15,9 @@ struct Change {
   bool names = false;                 ///< names of meshes differ, in the same order of objects
   bool references = false;            ///< faces may refer to other definitions
   std::vector<std::uint32_t> meshes;  ///< meshes with edited surfaces; numbers of the scene's objects
+
+  /// Whether any object, light or observer may have come, gone or moved.
+  bool moves_objects() const { return is_structural || transforms || lights; }
 };
 
 }  // namespace editor

@@ -247,14 +247,14 @@ bool Document::set_selected_objects(std::vector<grf::ScenePath> paths) {
   return true;
 }
 
-bool Document::transform_selected(const QString& text, const TransformAction& action, const QString& key) {
+bool Document::transform_selected(const QString& text, const TransformAction& action) {
   grf::Diagnostics diagnostics;
   auto edited = transform_objects(scene_, *selected_objects_, action, diagnostics);
   if (!edited) {
     emit status_message(QString::fromStdString(diagnostics.entries().front().message));
     return false;
   }
-  replace_objects(text, std::move(*edited), key);
+  replace_objects(text, std::move(*edited));
   return true;
 }
 

@@ -96,7 +96,7 @@ class Document : public QObject {
   void edit_surfaces(const QString& text, const SurfaceEdits& edits, const QString& key = {});
   /// Transforms the selected objects, which stay selected. Returns false, with a `status_message`, if that
   /// is not possible.
-  bool transform_selected(const QString& text, const TransformAction& action, const QString& key = {});
+  bool transform_selected(const QString& text, const TransformAction& action);
   /// Replaces the scene by one in which the selected objects have other paths.
   void replace_objects(const QString& text, TransformedObjects edited, const QString& key = {});
   /// Ends the merging of steps: a slider was released.

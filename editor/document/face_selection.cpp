@@ -180,6 +180,14 @@ void FaceSelection::remove(const FaceSelection& other) {
   }
 }
 
+bool FaceSelection::fits(const SceneObjects& objects) const {
+  if (objects.meshes.size() != faces_.size()) return false;
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (objects.meshes[i].mesh->face_count() != faces_[i].size()) return false;
+  }
+  return true;
+}
+
 grf::Box3d bounds_of(const SceneObjects& objects, const FaceSelection& selection) {
   grf::Box3d box;
   for (const MeshInstance& instance : *objects.instances) {

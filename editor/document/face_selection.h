@@ -29,6 +29,8 @@ class FaceSelection {
   /// Constructs an empty selection.
   explicit FaceSelection(const SceneObjects& objects);
 
+  /// Whether these objects have as many meshes, and each as many faces.
+  bool fits(const SceneObjects& objects) const;
   std::size_t count() const { return count_; }
   bool empty() const { return count_ == 0; }
   bool has(FaceId face) const { return faces_[face.mesh][face.face]; }

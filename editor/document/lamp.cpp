@@ -58,10 +58,7 @@ void set_direction(Lamp& lamp, const Vec3d& direction, const Vec3d* side = nullp
 }
 
 /// Whether an object's transform mirrors: its light then emits to the other side of edge 1 x edge 2.
-double handedness(const grf::Matrix44d& to_world) {
-  const auto row = [&](int i) { return Vec3d(to_world[i][0], to_world[i][1], to_world[i][2]); };
-  return row(0).cross(row(1)).dot(row(2)) < 0 ? -1 : 1;
-}
+double handedness(const grf::Matrix44d& to_world) { return to_world.determinant() < 0 ? -1 : 1; }
 
 Vec3d transformed(const Vec3d& vector, const grf::Matrix44d& matrix) {
   Vec3d result;

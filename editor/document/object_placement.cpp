@@ -1,7 +1,6 @@
 #include "editor/document/object_placement.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -150,13 +149,6 @@ bool report_zero(grf::Diagnostics& diagnostics) {
 Vec3d rounded(const Vec3d& point, double size) {
   return {shortest_near(point.x, 5e-6 * size), shortest_near(point.y, 5e-6 * size),
           shortest_near(point.z, 5e-6 * size)};
-}
-
-std::array<Vec3d, 4> corners_of(const LightObject& object) {
-  const auto at = [&](const grf::Vec3f& point) { return Vec3d(point) * object.to_world; };
-  const grf::AreaLight& light = object.light;
-  return {at(light.corner), at(light.corner + light.edge1), at(light.corner + light.edge2),
-          at(light.corner + light.edge1 + light.edge2)};
 }
 
 /// The bounds of what is inside an object, in coordinates of which `to_world` is the matrix.

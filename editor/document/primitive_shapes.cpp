@@ -198,26 +198,20 @@ TransformedObjects add_mesh(const grf::Scene& scene, const SceneObjects& objects
   grf::UniqueNames names;
   for (const MeshObject& object : objects.meshes) names.add(object.mesh->name);
   mesh.name = names.take(mesh.name);
-  TransformedObjects added{scene, {}};
-  std::vector<grf::Block>& blocks = outermost_blocks(added.scene).blocks;
+  grf::Scene added = scene;
+  std::vector<grf::Block>& blocks = outermost_blocks(added).blocks;
   grf::ScenePath path = {static_cast<std::uint32_t>(blocks.size())};
-  if (&blocks != &added.scene.contents.blocks) {
-    const auto& scope = std::get<grf::DefinitionScope>(added.scene.contents.blocks.front().content);
+  if (&blocks != &added.contents.blocks) {
+    const auto& scope = std::get<grf::DefinitionScope>(added.contents.blocks.front().content);
     path = {0, static_cast<std::uint32_t>(scope.definitions.size() + blocks.size())};
   }
   grf::Block block;
   block.content = grf::Shared<grf::Mesh>(std::move(mesh));
-  if (const grf::Vec3f offset(position); offset != grf::Vec3f(0)) {
-    grf::Transform transform;
-    transform.steps.push_back({grf::TransformStep::Kind::Translation, offset});
-    transform.body.blocks.push_back(std::move(block));
-    block = {};
-    block.content = std::move(transform);
-    path.push_back(0);
-  }
   blocks.push_back(std::move(block));
-  added.paths.push_back(std::move(path));
-  return added;
+  TransformAction move;
+  move.value = position;
+  grf::Diagnostics none;
+  return *transform_objects(added, {std::move(path)}, move, none);
 }
 
 }  // namespace editor

@@ -116,12 +116,7 @@ class Collector {
 
   void add_light(const grf::AreaLight& light, const grf::Placement& placement) {
     objects_.lights.push_back({path_of(placement), light, placement.to_world});
-    const grf::Vec3d corner(light.corner);
-    const grf::Vec3d edge1(light.edge1);
-    const grf::Vec3d edge2(light.edge2);
-    for (const grf::Vec3d& point : {corner, corner + edge1, corner + edge2, corner + edge1 + edge2}) {
-      objects_.bounds.extendBy(point * placement.to_world);
-    }
+    for (const grf::Vec3d& corner : corners_of(objects_.lights.back())) objects_.bounds.extendBy(corner);
   }
 
   std::vector<FlatSurface> flat_surfaces_of(const grf::Mesh& mesh, const grf::Placement& placement) const {
@@ -162,6 +157,14 @@ class Collector {
 };
 
 }  // namespace
+
+std::array<grf::Vec3d, 4> corners_of(const LightObject& light) {
+  const grf::Vec3d corner(light.light.corner);
+  const grf::Vec3d edge1(light.light.edge1);
+  const grf::Vec3d edge2(light.light.edge2);
+  return {corner * light.to_world, (corner + edge1) * light.to_world,
+          (corner + edge1 + edge2) * light.to_world, (corner + edge2) * light.to_world};
+}
 
 std::optional<std::uint32_t> SceneObjects::mesh_at(grf::ScenePathView path) const {
   const auto found = std::ranges::find_if(meshes, [path](const MeshObject& mesh) {

@@ -2,6 +2,7 @@
 // surfaces of its faces. A snapshot, which shares the scene's meshes.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -54,6 +55,9 @@ struct LightObject {
   grf::AreaLight light;
   grf::Matrix44d to_world;
 };
+
+/// The corners of an area light around it in world space, from its own one along edge 1.
+std::array<grf::Vec3d, 4> corners_of(const LightObject& light);
 
 struct ObserverObject {
   grf::ScenePath path;  ///< of the `params`

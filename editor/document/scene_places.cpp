@@ -91,10 +91,6 @@ void erase_block(grf::Scene& scene, grf::ScenePath path) {
   }
 }
 
-bool begins_with(const grf::ScenePath& path, const grf::ScenePath& beginning) {
-  return path.size() >= beginning.size() && std::equal(beginning.begin(), beginning.end(), path.begin());
-}
-
 /// Searches for what is nearest before a location in its file.
 class NearestBefore {
  public:
@@ -277,7 +273,7 @@ void erase(grf::Scene& scene, std::vector<grf::ScenePath> paths) {
   std::ranges::sort(paths);
   // Descendants of a removed object follow it, and are removed with it.
   paths.erase(std::unique(paths.begin(), paths.end(),
-                          [](const auto& first, const auto& later) { return begins_with(later, first); }),
+                          [](const auto& first, const auto& later) { return is_inside(later, first); }),
               paths.end());
   // Backwards, so that the remaining paths stay valid.
   for (auto path = paths.rbegin(); path != paths.rend(); ++path) {

@@ -178,7 +178,7 @@ const LightObject* LightPanel::chosen_light() const {
 }
 
 bool LightPanel::concerns_lights(const Change& change) const {
-  if (change.is_structural || change.transforms || change.lights || change.definitions) return true;
+  if (change.moves_objects() || change.definitions) return true;
   std::set<grf::ScenePath> emitted;
   for (const Emitter& emitter : emitters_) emitted.insert(emitter.path);
   return std::ranges::any_of(change.meshes, [&](std::uint32_t i) {

@@ -34,7 +34,9 @@ ObjectPanel::ObjectPanel(Document& document, QWidget* parent)
   layout->setSpacing(Grid);
   layout->addWidget(pages_, 1);
   layout->addWidget(problem_);
-  connect(&document_, &Document::changed, this, &ObjectPanel::show_object);
+  connect(&document_, &Document::changed, this, [this](const Change& change) {
+    if (change.moves_objects() || change.names) show_object();
+  });
   connect(&document_, &Document::selected_objects_changed, this, &ObjectPanel::show_object);
   show_object();
 }

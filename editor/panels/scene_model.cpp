@@ -154,8 +154,7 @@ QMimeData* SceneModel::mimeData(const QModelIndexList& indexes) const {
 
 void SceneModel::update_scene(const Change& change) {
   // Surfaces of faces are not in the list, but the number of uses of a definition is.
-  const bool is_of_faces_alone =
-      !change.is_structural && !change.transforms && !change.definitions && !change.lights;
+  const bool is_of_faces_alone = !change.moves_objects() && !change.definitions;
   if (is_of_faces_alone && !change.references) {
     if (change.names) update_names(change);
     return;

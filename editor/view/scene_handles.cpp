@@ -22,12 +22,7 @@ constexpr double LineRadius = 5;
 constexpr std::array<Vec3d, 3> Axes = {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)};
 
 SceneHandle light_handle(const LightObject& object) {
-  const auto in_world = [&](const grf::Vec3f& point) { return Vec3d(point) * object.to_world; };
-  const grf::AreaLight& light = object.light;
-  const Vec3d a = in_world(light.corner);
-  const Vec3d b = in_world(light.corner + light.edge1);
-  const Vec3d c = in_world(light.corner + light.edge1 + light.edge2);
-  const Vec3d d = in_world(light.corner + light.edge2);
+  const auto [a, b, c, d] = corners_of(object);
   const Vec3d middle = (a + c) / 2;
   const double side = object.to_world.determinant() < 0 ? -1 : 1;
   const Vec3d normal = (b - a).cross(d - a).normalized() * side;

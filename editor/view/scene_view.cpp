@@ -10,20 +10,13 @@
 #include <utility>
 
 #include "editor/appearance/theme.h"
+#include "editor/view/hover_text.h"
 #include "editor/view/region_selection.h"
 #include "editor/view/screen_geometry.h"
 #include "editor/view/view_overlay.h"
 
 namespace editor {
 namespace {
-
-bool has_as_many_faces(const SceneObjects& a, const FaceSelection& selection) {
-  if (a.meshes.size() != selection.mesh_count()) return false;
-  for (std::uint32_t i = 0; i < a.meshes.size(); ++i) {
-    if (a.meshes[i].mesh->face_count() != selection.of_mesh(i).size()) return false;
-  }
-  return true;
-}
 
 grf::Vec2d to_vector(const QPointF& point) { return {point.x(), point.y()}; }
 
@@ -68,7 +61,7 @@ void SceneView::show(std::shared_ptr<const SceneObjects> objects) {
   cancel_gesture();
   moved_.reset();
   objects_ = std::move(objects);
-  if (!has_as_many_faces(*objects_, *selection_)) {
+  if (!selection_->fits(*objects_)) {
     selection_ = std::make_shared<const FaceSelection>(*objects_);
   }
   geometry_.set_objects(*objects_);
@@ -283,20 +276,9 @@ std::optional<SurfacePoint> SceneView::surface_at(const QPointF& pixel) const {
 void SceneView::tell_hovered() {
   const SceneHandle* handle = handles_.at(to_vector(hovered_at_), camera(), window_size());
   if (handles_.hover(handle)) draw();
-  emit hovered(handle != nullptr ? QString::fromStdString(handle->name) : text_of(hit_at(hovered_at_)));
-}
-
-QString SceneView::text_of(const std::optional<SceneHit>& hit) const {
-  if (!hit) return {};
-  const MeshObject& mesh = objects_->meshes[hit->face.mesh];
-  const FlatSurface& flat_surface = mesh.flat_surfaces[(*mesh.mesh->surface_of_face)[hit->face.face]];
-  QStringList surface(flat_surface.brdf ? QString::fromStdString(flat_surface.brdf->keyword)
-                                        : tr("default diffuse"));
-  if (!flat_surface.texture.empty()) surface += tr("textured");
-  if (flat_surface.emission) surface += tr("emissive");
-  return tr("%1 · face %2 · %3")
-      .arg(mesh.name.empty() ? tr("unnamed mesh") : QString::fromStdString(mesh.name),
-           QString::number(hit->face.face), mesh.is_light ? tr("light") : surface.join(", "));
+  if (handle != nullptr) return emit hovered(QString::fromStdString(handle->name));
+  const std::optional<SceneHit> hit = hit_at(hovered_at_);
+  emit hovered(hit ? hover_text(*objects_, hit->face) : QString());
 }
 
 void SceneView::leaveEvent(QEvent* event) {

@@ -156,7 +156,6 @@ class SceneView : public QWidget {
   // Picking
   grf::Vec2d place_at(const QPointF& pixel) const;
   std::optional<SceneHit> hit_at(const QPointF& pixel) const;
-  QString text_of(const std::optional<SceneHit>& hit) const;
   void tell_hovered();
 
   // Gestures

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/appearance/theme.h"
+#include "editor/view/screen_geometry.h"
 
 namespace editor {
 namespace {
@@ -81,9 +82,9 @@ void add_handles(const HandleGesture& gesture, const ViewCamera& camera, const g
     const bool is_lit = gesture.is_lit(i);
     const QColor colour = is_lit ? colours_of(theme).accent : handle_colour(handle.id.kind, theme);
     for (const auto& [from, to] : handle.lines) lines.push_back({from, to, colour});
-    const auto place = camera.place_of(handle.grip, size.x / size.y);
-    if (!place) continue;
-    const Vec3d at((0.5 + 0.5 * place->x) * size.x, (0.5 - 0.5 * place->y) * size.y, 0);
+    const auto pixel = pixel_of(handle.grip, camera, size);
+    if (!pixel) continue;
+    const Vec3d at(pixel->x, pixel->y, 0);
     const int half = is_lit ? 5 : 4;
     for (int y = -half; y <= half; ++y) {
       grips.push_back({at + Vec3d(-half, y, 0), at + Vec3d(half, y, 0), colour});

@@ -33,7 +33,10 @@ ObjectActions::ObjectActions(Document& document, SceneView& view, QWidget& windo
   make_alignments();
   connect(gizmo_, &GizmoInput::transform_made, this, &ObjectActions::apply);
   connect(gizmo_, &GizmoInput::status_message, this, &ObjectActions::status_message);
-  connect(&document_, &Document::changed, this, &ObjectActions::update_target);
+  // Bounds of large meshes take long, and an edit of surfaces moves nothing.
+  connect(&document_, &Document::changed, this, [this](const Change& change) {
+    if (change.moves_objects()) update_target();
+  });
   connect(&document_, &Document::selected_objects_changed, this, &ObjectActions::update_target);
   update_target();
 }

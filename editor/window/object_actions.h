@@ -33,7 +33,6 @@ class ObjectActions : public QObject {
   const QList<QAction*>& additions() const { return additions_; }
   /// Adds a floor and two lights in proportion to the scene.
   void add_studio();
-  PivotPoint pivot() const { return pivot_; }
 
  signals:
   void status_message(const QString& text);
