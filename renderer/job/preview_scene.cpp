@@ -13,13 +13,8 @@ using grf::Diagnostics;
 using transport::CompileSettings;
 using transport::RenderSettings;
 
-bool are_same(const std::optional<transport::View>& a, const std::optional<transport::View>& b) {
-  if (!a || !b) return !a && !b;
-  return a->eye == b->eye && a->target == b->target && a->up == b->up && a->field_of_view == b->field_of_view;
-}
-
 bool are_same(const PreviewRequest& a, const PreviewRequest& b) {
-  return a.path == b.path && a.options == b.options && are_same(a.view, b.view) && a.scene == b.scene;
+  return a.path == b.path && a.options == b.options && a.view == b.view && a.scene == b.scene;
 }
 
 }  // namespace
@@ -36,7 +31,11 @@ std::optional<RenderSettings> PreviewScene::prepare(const PreviewRequest& reques
     if (!compile(request, *compile_settings, diagnostics)) return std::nullopt;
   }
   RenderSettings settings = settings_of(request.options, compiled_->bounds());
-  if (request.view) settings.view = *request.view;
+  if (request.view) {
+    settings.view = *request.view;
+    settings.view.lens_radius = request.options.lens_radius;
+    settings.view.focus_distance = request.options.focus_distance.value_or(0);
+  }
   if (!has_sample_limit(request.options)) settings.samples = RenderSettings::Unlimited;
   if (!is_repeated) reuse_environment(request.options, settings);
   last_ = request;
@@ -83,7 +82,9 @@ bool PreviewScene::compile(const PreviewRequest& request, const CompileSettings&
 void PreviewScene::reuse_environment(const options::RenderOptions& render_options,
                                      RenderSettings& settings) const {
   const bool are_known = last_ && last_->options.environment == render_options.environment &&
-                         last_->options.projection == render_options.projection;
+                         last_->options.projection == render_options.projection &&
+                         last_->options.environment_rotation == render_options.environment_rotation &&
+                         last_->options.environment_scale == render_options.environment_scale;
   if (!are_known) return;
   settings.integrator.environment = environment_;
   settings.backplate = backplate_;

@@ -19,7 +19,7 @@ struct PreviewRequest {
   grf::Scene scene;
   std::string path;  ///< of the scene's file, for relative paths; empty: the current folder
   options::RenderOptions options;
-  std::optional<transport::View> view;  ///< overrides that of the options
+  std::optional<transport::View> view;  ///< overrides the camera of the options, but not its lens
 };
 
 /// Reads images as transport::ImageReader does, and cancels when stop is requested.

@@ -73,9 +73,17 @@ bool load_environment(const RenderOptions& render_options, transport::RenderSett
   const std::string& path = render_options.environment;
   if (path.empty()) return true;
   const grf::SourceLocation location = render_options.locations.of("BPT_EM_Background");
+  const auto read_scaled = [&](const std::string& file, Diagnostics& messages,
+                               const grf::SourceLocation& asked_for_at) {
+    auto image = image_reader(file, messages, asked_for_at);
+    if (image && render_options.environment_scale != 1) {
+      for (reflectance::Rgb& pixel : image->pixels) pixel *= render_options.environment_scale;
+    }
+    return image;
+  };
   if (render_options.projection == "backplate") {
     if (settings.backplate) return true;
-    auto image = image_reader(path, diagnostics, location);
+    auto image = read_scaled(path, diagnostics, location);
     if (image) settings.backplate = std::make_shared<const transport::Image>(std::move(*image));
     return settings.backplate != nullptr;
   }
@@ -83,7 +91,8 @@ bool load_environment(const RenderOptions& render_options, transport::RenderSett
     settings.integrator.resampling = {render_options.resampling->first, render_options.resampling->second};
   }
   if (settings.integrator.environment) return true;
-  auto map = transport::read_environment_map(path, diagnostics, location, image_reader);
+  auto map = transport::read_environment_map(path, diagnostics, location, read_scaled,
+                                             render_options.environment_rotation);
   if (!map) return false;
   settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(std::move(*map));
   return true;
@@ -118,6 +127,8 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   if (render_options.eye) settings.view.eye = *render_options.eye;
   if (render_options.target) settings.view.target = *render_options.target;
   settings.view.up = render_options.up;
+  settings.view.lens_radius = render_options.lens_radius;
+  settings.view.focus_distance = render_options.focus_distance.value_or(0);
   settings.integrator.background = render_options.background;
   settings.integrator.depth = render_options.depth;
   settings.integrator.split_count = render_options.split_count;

@@ -75,9 +75,13 @@ struct RenderOptions : SchemeOptions {
   std::optional<grf::Vec3f> target;  ///< the point looked at; absent: the scene's centre
   grf::Vec3f up = grf::Vec3f(0, 1, 0);
   float field_of_view = 45;               ///< vertical, degrees
+  float lens_radius = 0;                  ///< world units; 0: a pinhole camera
+  std::optional<float> focus_distance;    ///< world units, along the view direction; absent: to the target
   grf::Vec3f background = grf::Vec3f(0);  ///< radiance, W/(sr m2)
   std::string environment;                ///< path of an environment map or backplate
   std::string projection = "latlong";     ///< of that image: latlong or backplate
+  float environment_rotation = 0;         ///< about the y axis, degrees, counter-clockwise seen from above
+  float environment_scale = 1;            ///< factor of the radiance of that image
   std::optional<IntegerPair> resampling;  ///< M and N of resampled importance sampling
   std::string integrator = "path";        ///< naive or path
   int depth = 5;                          ///< the most bounces of a path

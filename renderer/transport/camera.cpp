@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/reflectance/geometry.h"
+
 namespace transport {
 namespace {
 
@@ -34,6 +36,10 @@ View view_of(const grf::Box3d& bounds, float field_of_view, float aspect) {
   return view;
 }
 
+float focus_distance_of(const View& view) {
+  return view.focus_distance > 0 ? view.focus_distance : static_cast<float>((view.target - view.eye).length());
+}
+
 View relative_to(const grf::Vec3d& origin, const View& view) {
   View result = view;
   result.eye -= origin;
@@ -42,7 +48,10 @@ View relative_to(const grf::Vec3d& origin, const View& view) {
 }
 
 Camera::Camera(const View& view, int width, int height)
-    : eye_(view.eye), width_(static_cast<float>(width)), height_(static_cast<float>(height)) {
+    : eye_(view.eye),
+      width_(static_cast<float>(width)),
+      height_(static_cast<float>(height)),
+      focus_distance_(focus_distance_of(view)) {
   const Vec3f forward((view.target - view.eye).normalized());
   const Vec3f right = rightwards(forward, view.up);
   const Vec3f up = right.cross(forward);
@@ -50,6 +59,8 @@ Camera::Camera(const View& view, int width, int height)
   step_x_ = right * size;
   step_y_ = up * -size;
   pixel_angle_ = size;
+  lens_x_ = right * view.lens_radius;
+  lens_y_ = up * view.lens_radius;
   corner_ = forward - step_x_ * (static_cast<float>(width) / 2) - step_y_ * (static_cast<float>(height) / 2);
 }
 
@@ -72,6 +83,14 @@ Imath::M44f Camera::world_to_image() const {
 
 Ray Camera::ray(float x, float y) const {
   return {eye_, (corner_ + step_x_ * x + step_y_ * y).normalized(), {}, {0, pixel_angle_}};
+}
+
+Ray Camera::ray(float x, float y, const grf::Vec2f& xi) const {
+  if (!has_lens()) return ray(x, y);
+  const grf::Vec2f on_disc = reflectance::to_disc(xi);
+  const Vec3f from = lens_x_ * on_disc.x + lens_y_ * on_disc.y;
+  const Vec3f to = (corner_ + step_x_ * x + step_y_ * y) * focus_distance_;
+  return {eye_ + from, (to - from).normalized(), {}, {0, pixel_angle_}};
 }
 
 }  // namespace transport

@@ -5,7 +5,7 @@
 
 namespace transport {
 
-/// The position and direction of a camera in world space; double, so that it works far from the world's
+/// The position, direction and lens of a camera in world space; double, so that it works far from the world's
 /// origin.
 struct View {
   grf::Vec3d eye = grf::Vec3d(0);
@@ -13,21 +13,33 @@ struct View {
   Vec3f up = Vec3f(
       0, 1, 0);  ///< the z axis (or, if need be, x) replaces it where it is parallel to the view direction
   float field_of_view = 45;  ///< vertical, degrees, between 0 and 180
+  float lens_radius = 0;     ///< of a thin lens, in world units; 0: a pinhole, so that everything is sharp
+  float focus_distance = 0;  ///< from the eye to the plane of focus, along the view direction; 0: to the target
+
+  bool operator==(const View&) const = default;
 };
 
 /// Returns a view that frames the whole box, from the front (looking along -z) and slightly above.
 View view_of(const grf::Box3d& bounds, float field_of_view, float aspect);
 
+/// Returns the distance from the eye to the plane of focus, along the view direction.
+float focus_distance_of(const View& view);
+
 /// Returns the same view in coordinates with their origin at this point.
 View relative_to(const grf::Vec3d& origin, const View& view);
 
-/// A pinhole camera.
+/// A camera with a thin lens, or a pinhole camera if the radius of the lens is 0.
 class Camera {
  public:
   Camera(const View& view, int width, int height);
 
-  /// The ray through an image point, in pixels from the upper left corner. Its cone is one pixel wide.
+  /// The ray from the centre of the lens through an image point, in pixels from the upper left corner. Its cone
+  /// is one pixel wide.
   Ray ray(float x, float y) const;
+  /// The ray to the same point of the plane of focus from a point of the lens: depth of field (Cook, Porter and
+  /// Carpenter 1984, "Distributed ray tracing"). `xi` in [0,1) is uniform over the lens.
+  Ray ray(float x, float y, const grf::Vec2f& xi) const;
+  bool has_lens() const { return lens_x_ != Vec3f(0); }
 
   /// The matrix from world space to camera space, for row vectors: x right, y up, looking along -z.
   Imath::M44f world_to_camera() const;
@@ -45,6 +57,9 @@ class Camera {
   float width_;
   float height_;
   float pixel_angle_ = 0;
+  Vec3f lens_x_;  ///< from the lens' centre to its rim
+  Vec3f lens_y_;
+  float focus_distance_;
 };
 
 }  // namespace transport

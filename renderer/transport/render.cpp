@@ -208,11 +208,11 @@ Rgb Render::sample(Kernel kernel, int x, int y, int scrambling, std::uint32_t nu
   const std::uint32_t pixel_seed =
       hash(hash(settings_.seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
   PathSampler sampler(hash(pixel_seed, static_cast<std::uint32_t>(scrambling)), number, settings_.pattern);
-  const grf::Vec2f place = place_in_pixel(static_cast<int>(number) * Film::Scramblings + scrambling, sampler);
+  const Uniform4 place = place_in_pixel(static_cast<int>(number) * Film::Scramblings + scrambling, sampler);
   const float image_x = static_cast<float>(x) + place.x;
   const float image_y = static_cast<float>(y) + place.y;
-  return kernel(scene_, settings_.integrator, camera_.ray(image_x, image_y), backplate_at(image_x, image_y),
-                sampler, counter);
+  const Ray ray = camera_.ray(image_x, image_y, {place.z, place.w});
+  return kernel(scene_, settings_.integrator, ray, backplate_at(image_x, image_y), sampler, counter);
 }
 
 std::optional<NotFinite> Render::cause_of_rejection() const {
@@ -234,22 +234,26 @@ std::optional<NotFinite> Render::cause_of_rejection() const {
   return NotFinite();
 }
 
-grf::Vec2f Render::place_in_pixel(int sample, PathSampler& sampler) const {
+Uniform4 Render::place_in_pixel(int sample, PathSampler& sampler) const {
+  // The first four dimensions are the position in the pixel and the one on the lens, so that they are stratified
+  // together.
+  Uniform4 place;
+  if (settings_.pixel_sampling == PixelSampling::Sobol || camera_.has_lens()) place = sampler.next();
   switch (settings_.pixel_sampling) {
     case PixelSampling::Centre:
-      return {0.5F, 0.5F};
+      return {0.5F, 0.5F, place.z, place.w};
     case PixelSampling::Regular: {
       const int columns = settings_.grid_columns;
       const int rows = (settings_.samples + columns - 1) / columns;
       const auto middle = [](int cell, int count) {
         return (static_cast<float>(cell) + 0.5F) / static_cast<float>(count);
       };
-      return {middle(sample % columns, columns), middle(sample / columns, rows)};
+      return {middle(sample % columns, columns), middle(sample / columns, rows), place.z, place.w};
     }
     case PixelSampling::Sobol:
       break;
   }
-  return sampler.next().xy();
+  return place;
 }
 
 std::optional<Rgb> Render::backplate_at(float x, float y) const {

@@ -147,7 +147,8 @@ class Render {
   void keep_tile(const TileWork& work, const FilmTile& tile, const RenderTotals& done,
                  std::uint64_t sampling_ticks);
   Rgb sample(Kernel kernel, int x, int y, int scrambling, std::uint32_t number, RayCounter& counter) const;
-  grf::Vec2f place_in_pixel(int sample, PathSampler& sampler) const;
+  /// The position in the pixel (x, y), and that on the lens (z, w).
+  Uniform4 place_in_pixel(int sample, PathSampler& sampler) const;
   std::optional<Rgb> backplate_at(float x, float y) const;
   bool ends_early();
   double elapsed() const;

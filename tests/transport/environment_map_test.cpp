@@ -42,6 +42,9 @@ std::vector<EnvironmentMap> hard_maps() {
   maps.emplace_back(image_of(64, 32, [](int x, int y) { return x == 40 && y == 7 ? 1e30F : 0.0F; }));
   maps.emplace_back(image_of(64, 32, [](int x, int y) { return x == 63 && y == 31 ? 1e-30F : 0.0F; }));
   maps.emplace_back(image_of(8, 4, [](int, int) { return std::numeric_limits<float>::max(); }));
+  // 135 degrees are 24 of 64 columns, so that cells of the chi-square test are within a texel.
+  maps.emplace_back(image_of(64, 32, [](int x, int y) { return x == 40 && y == 7 ? 1e30F : 0.0F; }), 135.0F);
+  maps.emplace_back(sky(64, 32), 135.0F);
   maps.emplace_back(sky(64, 32));
   return maps;
 }
@@ -66,6 +69,30 @@ TEST(EnvironmentMap, LooksWhereItSays) {
   }
 }
 
+// A quarter turn counter-clockwise, seen from above, brings what was ahead (-z) to the left (-x).
+TEST(EnvironmentMap, IsRotatedAboutTheVerticalAxis) {
+  const Image image = image_of(8, 3, [](int x, int y) { return static_cast<float>(10 * y + x); });
+  const EnvironmentMap map(image, 90);
+  const float tiny = 1e-3F;
+  EXPECT_EQ(map.radiance({-1, 0, -tiny}).x, 14);  // the centre, just right of it
+  EXPECT_EQ(map.radiance({-1, 0, tiny}).x, 13);
+  EXPECT_EQ(map.radiance({tiny, 0, -1}).x, 16);
+  // A turn by two columns is the image shifted by two columns.
+  Image shifted = image;
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 8; ++x) shifted.pixels[std::size_t(8 * y + x)] = image.at((x + 2) % 8, y);
+  }
+  for (const float degrees : {90.0F, -270.0F}) {
+    const EnvironmentMap rotated(image, degrees);
+    for (int y = 0; y < 3; ++y) {
+      for (int x = 0; x < 8; ++x) {
+        const Vec3f direction(test::direction_at<double>(image, x + 0.5, y + 0.5));
+        EXPECT_EQ(rotated.radiance(direction), shifted.at(x, y)) << degrees << ": " << x << ", " << y;
+      }
+    }
+  }
+}
+
 TEST(EnvironmentMap, DensityIntegratesToOne) {
   for (const EnvironmentMap& map : hard_maps()) {
     const Image& image = map.image();
@@ -83,7 +110,9 @@ TEST(EnvironmentMap, DensityIntegratesToOne) {
 }
 
 TEST(EnvironmentMap, SaysOfItsSamplesWhatItSaysOfTheirDirections) {
-  for (const EnvironmentMap& map : hard_maps()) {
+  std::vector<EnvironmentMap> maps = hard_maps();
+  for (const float rotation : {33.3F, -359.9F}) maps.emplace_back(sky(64, 32), rotation);
+  for (const EnvironmentMap& map : maps) {
     for (std::uint32_t i = 0; i < 100000; ++i) {
       const auto sample = map.sample(transport::sobol_point(i, 3).xy());
       ASSERT_TRUE(sample);

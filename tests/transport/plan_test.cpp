@@ -303,6 +303,10 @@ TEST(Plan, GivesTheImageOfTheFullRender) {
     setup.background = seed % 2 == 0 ? 0.5F : 0.0F;
     setup.seed = seed;
     setup.threads = 1;
+    if (seed % 3 == 0) {
+      setup.lens_radius = seed % 2 == 0 ? 0.1F : 3.0F;
+      setup.focus_distance = seed % 5 == 0 ? 1.0F : 6.0F;
+    }
     PlannedScene planned(text, setup);
     PlannedScene whole(text, test::full(setup));
     shorter += planned.plan().depth < setup.depth ? 1 : 0;

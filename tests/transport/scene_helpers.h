@@ -96,6 +96,8 @@ struct RenderSetup {
   std::uint32_t seed = 0;
   int threads = 0;
   float field_of_view = 45;
+  float lens_radius = 0;
+  float focus_distance = 0;  ///< 0: to the target
 };
 
 inline transport::RenderSettings settings_of(const RenderSetup& setup) {
@@ -105,6 +107,8 @@ inline transport::RenderSettings settings_of(const RenderSetup& setup) {
   settings.view.eye = setup.eye;
   settings.view.target = setup.target;
   settings.view.field_of_view = setup.field_of_view;
+  settings.view.lens_radius = setup.lens_radius;
+  settings.view.focus_distance = setup.focus_distance;
   settings.integrator.background = transport::Rgb(setup.background);
   settings.integrator.depth = setup.depth;
   settings.integrator.split_count = setup.split_count;

@@ -136,6 +136,27 @@ TEST(SwitchedOff, TheBackgroundIsBlack) {
   EXPECT_EQ(settings.integrator.background, Rgb(0));
 }
 
+// A dot with a quarter of the lens' radius, halfway to the plane of focus: a ray from the point o of the lens to the middle of
+// the view passes it at o / 2, so that the inner quarter of the lens' area sees it.
+TEST(SwitchedOff, DepthOfFieldIsAPinhole) {
+  PlannedRender setup = look_at_middle(0);
+  setup.background = 0;
+  setup.samples = 4096;
+  setup.lens_radius = 0.5F;
+  setup.focus_distance = 8;
+  std::string corners;
+  constexpr int Corners = 64;
+  for (int i = 0; i < Corners; ++i) {
+    const double angle = 2 * pi * i / Corners;
+    corners += fmt::format("({},{},0) ", 0.125 * std::cos(angle), 0.125 * std::sin(angle));
+  }
+  std::string face;
+  for (int i = 0; i < Corners; ++i) face += (i == 0 ? "" : ",") + std::to_string(i);
+  const std::string dot = "begin mesh light rgb (1,1,1) begin vertexs " + corners + "end vertexs begin faces (" + face +
+                          ") end faces end mesh ";
+  expect_with_and_without(dot, setup, Effect::DepthOfField, Rgb(0.25F), Rgb(1), 0.01);
+}
+
 TEST(SwitchedOff, TheMirrorPartReflectsNothing) {
   expect_with_and_without(wall_of("brdf specular ks=0.9"), look_at_middle(), Effect::MirrorReflection,
                           Rgb(0.9F), Rgb(0));

@@ -43,8 +43,10 @@ class FeatureRays {
         eye_(scene.to_local(view.eye)),
         forward_((view.target - view.eye).normalized()) {}
 
-  void add(float x, float y, PathSampler& sampler, PixelFeatures& features) const {
-    const Ray ray = camera_.ray(x, y);
+  void add(int column, int row, PathSampler& sampler, PixelFeatures& features) const {
+    const Uniform4 place = sampler.next();
+    const Ray ray = camera_.ray(static_cast<float>(column) + place.x, static_cast<float>(row) + place.y,
+                                {place.z, place.w});
     const auto point = scene_.intersect(ray);
     if (!point) return;
     const Vec3f back = -ray.direction;
@@ -81,8 +83,7 @@ FeatureLayers feature_layers(const CompiledScene& scene, const View& view, int w
     PixelFeatures sum;
     for (int sample = 0; sample < samples; ++sample) {
       PathSampler sampler(pixel_seed, static_cast<std::uint32_t>(sample));
-      const Uniform4 place = sampler.next();
-      rays.add(static_cast<float>(x) + place.x, static_cast<float>(y) + place.y, sampler, sum);
+      rays.add(x, y, sampler, sum);
     }
     const std::size_t index =
         static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);

@@ -47,12 +47,20 @@ std::size_t first_over(const float* shares, std::size_t count, float xi) {
   return static_cast<std::size_t>(from - shares) + (count == 1 && *from <= xi ? 1 : 0);
 }
 
+/// Returns the same angle from -pi to pi, of one from -2 pi to 2 pi.
+double within_half_turn(double angle) {
+  constexpr double Turn = 2 * std::numbers::pi;
+  constexpr double Half = std::numbers::pi_v<float>;  // float angles may be a little over pi
+  return angle > Half ? angle - Turn : angle < -Half ? angle + Turn : angle;
+}
+
 /// The position of xi between a CDF value and the previous one, 0..1.
 float place_between(float before, float above, float xi) { return (xi - before) / (above - before); }
 
 }  // namespace
 
-EnvironmentMap::EnvironmentMap(Image image) : image_(std::move(image)) {
+EnvironmentMap::EnvironmentMap(Image image, float rotation)
+    : image_(std::move(image)), longitude_(-std::remainder(double(rotation), 360) * std::numbers::pi / 180) {
   repair();
   build();
 }
@@ -101,9 +109,9 @@ EnvironmentMap::Place EnvironmentMap::place_of(const Vec3f& direction) const {
   // By the arc tangent, because the arc cosine is inaccurate at the poles.
   const float theta =
       reflectance::glsl::atan2(std::sqrt(direction.x * direction.x + direction.z * direction.z), direction.y);
-  const float phi = reflectance::glsl::atan2(direction.x, -direction.z);
+  const double phi = within_half_turn(double(reflectance::glsl::atan2(direction.x, -direction.z)) - longitude_);
   const double y = double(theta) / std::numbers::pi * image_.height;
-  const double x = (0.5 + double(phi) / (2 * std::numbers::pi)) * image_.width;
+  const double x = (0.5 + phi / (2 * std::numbers::pi)) * image_.width;
   const auto index_of = [](double place, int count) {
     return static_cast<std::size_t>(std::clamp(static_cast<int>(place), 0, count - 1));
   };
@@ -138,7 +146,8 @@ Vec2f EnvironmentMap::pair_of(const Place& place) const {
 Vec3f EnvironmentMap::direction_in(std::size_t row, std::size_t column, const Vec2f& place) const {
   const double cosine = cosines_[row] + double(place.y) * (cosines_[row + 1] - cosines_[row]);
   const double sine = std::sqrt(std::max(0.0, (1 - cosine) * (1 + cosine)));
-  const double phi = 2 * std::numbers::pi * ((double(column) + double(place.x)) / image_.width - 0.5);
+  const double phi = within_half_turn(
+      2 * std::numbers::pi * ((double(column) + double(place.x)) / image_.width - 0.5) + longitude_);
   if (is_near_border(row, place)) {
     return {static_cast<float>(sine * std::sin(phi)), static_cast<float>(cosine),
             static_cast<float>(-sine * std::cos(phi))};
@@ -215,10 +224,10 @@ EnvironmentMap::RadianceAndPdf EnvironmentMap::radiance_and_pdf(const Vec3f& nor
 
 std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,
                                                    const grf::SourceLocation& asked_for_at,
-                                                   const ImageReader& image_reader) {
+                                                   const ImageReader& image_reader, float rotation) {
   auto image = image_reader(path, diagnostics, asked_for_at);
   if (!image) return std::nullopt;
-  EnvironmentMap map(std::move(*image));
+  EnvironmentMap map(std::move(*image), rotation);
   if (map.invalid_texels() > 0) {
     diagnostics.warning(asked_for_at.file ? asked_for_at : grf::whole_file(path),
                         fmt::format("{} of {} of the environment map {} as 0 there", map.invalid_texels(),

@@ -19,7 +19,8 @@ struct EnvironmentSample {
   float pdf = 0;  ///< solid-angle pdf, 1/sr, over 0
 };
 
-/// An environment map in latitude-longitude format: y is up, the centre looks down -z, and +x is right of it.
+/// An environment map in latitude-longitude format: y is up, the centre looks down -z, and +x is right of it,
+/// unless it is rotated.
 ///
 /// Texels are constant over their rectangles of directions: without interpolation, the pdf can be exactly
 /// proportional to luminance, and over 0 wherever there is light. Rows are sampled by a marginal and columns
@@ -27,8 +28,9 @@ struct EnvironmentSample {
 /// solid angle: sin(theta) is not taken at the texel's centre, which would add noise at the poles.
 class EnvironmentMap {
  public:
-  /// Channels of texels that are negative or not finite count as 0.
-  explicit EnvironmentMap(Image image);
+  /// Channels of texels that are negative or not finite count as 0. The map is rotated about the y axis by an
+  /// angle in degrees, counter-clockwise seen from above.
+  explicit EnvironmentMap(Image image, float rotation = 0);
 
   reflectance::Rgb radiance(const grf::Vec3f& direction) const { return image_.pixels[texel_at(direction)]; }
 
@@ -87,6 +89,7 @@ class EnvironmentMap {
   void prefetch(std::size_t row, std::size_t line) const;
 
   Image image_;
+  double longitude_;  ///< of the image's centre, radians, -pi to pi, from -z towards +x
   std::size_t invalid_texels_ = 0;
   double total_ = 0;         ///< luminance integrated over the sphere
   std::vector<float> rows_;  ///< marginal CDF of the rows, up to and including each
@@ -99,9 +102,10 @@ class EnvironmentMap {
       cosines_;  ///< of the angles between the y axis and the row boundaries, one more than rows
 };
 
-/// Reads an environment map, and warns of texels that count as 0.
+/// Reads an environment map, rotated by degrees about the y axis, and warns of texels that count as 0.
 std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,
                                                    const grf::SourceLocation& asked_for_at = {},
-                                                   const ImageReader& image_reader = read_image);
+                                                   const ImageReader& image_reader = read_image,
+                                                   float rotation = 0);
 
 }  // namespace transport

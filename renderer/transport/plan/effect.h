@@ -21,6 +21,7 @@ enum class Effect : std::uint8_t {
   InterpolatedNormals,
   MeasuredData,
   Irradiance,
+  DepthOfField,
   Instances,
 };
 
@@ -50,6 +51,8 @@ constexpr std::array EffectInfos = {
                "the default diffuse BRDF replaces each BRDF that reads a file"},
     EffectInfo{Effect::Irradiance, "irradiance",
                "light is estimated by path tracing, as without BPT_Irradiance"},
+    EffectInfo{Effect::DepthOfField, "depth_of_field",
+               "a pinhole camera replaces the thin lens: everything is sharp"},
     EffectInfo{Effect::Instances, "instances", "each instance has its own triangles; the image is the same"},
 };
 

@@ -63,6 +63,7 @@ class Planner {
   Answer of_faces(const Test& test, std::string_view what) const;
   Answer interpolated_normals() const;
   Answer irradiance() const;
+  Answer depth_of_field() const;
   std::string why_not(std::size_t all, std::size_t reflects) const;
   std::string why_depth() const;
   const std::string& scheme_of(const CoarseSurface& surface) const {
@@ -188,6 +189,13 @@ Answer Planner::irradiance() const {
       "baked irradiance and a diffuse BRDF");
 }
 
+Answer Planner::depth_of_field() const {
+  const float radius = settings_.limits.view.lens_radius;
+  if (!(radius > 0)) return {false, "the camera has no lens: its lens radius is 0"};
+  if (settings_.draws_normals) return {false, "only normals are rendered"};
+  return {true, fmt::format("the camera has a lens with a radius of {}", radius)};
+}
+
 Answer Planner::of(Effect effect) const {
   if (!settings_.limits.effects.has(effect)) return {false, "it is switched off"};
   switch (effect) {
@@ -217,6 +225,8 @@ Answer Planner::of(Effect effect) const {
       return of_faces([](const CoarseSurface& surface) { return surface.is_measured; }, "a measured BRDF");
     case Effect::Irradiance:
       return irradiance();
+    case Effect::DepthOfField:
+      return depth_of_field();
     case Effect::Instances:
       break;
   }
@@ -334,6 +344,7 @@ void keep_only(const EffectSet& effects, RenderSettings& settings) {
     integrator.background = Rgb(0);
     settings.backplate = nullptr;
   }
+  if (!effects.has(Effect::DepthOfField)) settings.view.lens_radius = 0;
 }
 
 }  // namespace transport

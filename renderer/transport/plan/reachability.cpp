@@ -64,6 +64,8 @@ States VisibilityBounds::seen_by_eye() const {
   constexpr double Margin = 1e-5;
   const auto sides =
       sides_of_view(Camera(view, limits_.width, limits_.height), limits_.width, limits_.height);
+  const Vec3d& forward = sides.back();
+  const double focus_distance = focus_distance_of(view);
   States seen(2 * coarse_scene_.parts.size());
   for (std::size_t i = 0; i < coarse_scene_.parts.size(); ++i) {
     const CoarsePart& part = coarse_scene_.parts[i];
@@ -71,12 +73,14 @@ States VisibilityBounds::seen_by_eye() const {
     const bool is_out_of_view = std::any_of(sides.begin(), sides.end(), [&](const Vec3d& side) {
       return std::all_of(points.begin(), points.end(), [&](const Vec3d& point) {
         const Vec3d way = point - eye;
-        return side.dot(way) < -Margin * (way.length() + part.extent);
+        // Rays from the lens' rim are off the ray from its centre by its radius, less towards the plane of focus.
+        const double blur = view.lens_radius * std::abs(1 - forward.dot(way) / focus_distance);
+        return side.dot(way) < -Margin * (way.length() + part.extent) - blur;
       });
     });
     if (is_out_of_view) continue;
     const double height = part.is_plane() ? part.normal.dot(eye) - part.height : 0;
-    const double margin = Margin * (part.extent + eye.length());
+    const double margin = Margin * (part.extent + eye.length()) + view.lens_radius;
     seen[2 * i] = height >= -margin;
     // Rays from outside a solid end on its faces' fronts.
     const bool is_hidden = part.solid != InvalidIndex &&
