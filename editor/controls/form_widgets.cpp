@@ -39,6 +39,13 @@ QComboBox* narrow_list(const QString& name, const QString& tool_tip, int letters
   return list;
 }
 
+void show_row(const QGridLayout& grid, int row, bool is_shown) {
+  for (int column = 0; column < grid.columnCount(); ++column) {
+    const QLayoutItem* item = grid.itemAtPosition(row, column);
+    if (item != nullptr && item->widget() != nullptr) item->widget()->setVisible(is_shown);
+  }
+}
+
 QToolButton* tool_button(const QString& icon_name, const QString& text, const QString& tool_tip,
                          const std::function<void()>& pressed, QWidget* parent) {
   auto* button = new QToolButton(parent);

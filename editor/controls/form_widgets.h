@@ -8,6 +8,7 @@
 #include "editor/appearance/theme.h"
 
 class QComboBox;
+class QGridLayout;
 class QMimeData;
 class QObject;
 class QToolButton;
@@ -25,6 +26,9 @@ Layout* tight_layout(QWidget* widget, int spacing = Grid / 2) {
   layout->setSpacing(spacing);
   return layout;
 }
+
+/// Shows or hides the widgets in a row of a grid.
+void show_row(const QGridLayout& grid, int row, bool is_shown);
 
 /// A small button with an icon; its text is for assistive technology.
 QToolButton* tool_button(const QString& icon, const QString& text, const QString& tool_tip,

@@ -166,24 +166,17 @@ void LampForm::add_buttons() {
   connect(highlight_, &QPushButton::clicked, this, &LampForm::highlight_requested);
 }
 
-void LampForm::show_row(int row, bool is_shown) {
-  for (int column = 0; column < layout_->columnCount(); ++column) {
-    const QLayoutItem* item = layout_->itemAtPosition(row, column);
-    if (item != nullptr && item->widget() != nullptr) item->widget()->setVisible(is_shown);
-  }
-}
-
 void LampForm::show_lamp(const Lamp& lamp, double area) {
   lamp_ = lamp;
   area_ = area;
   for (const auto& [box, read] : boxes_) box->set_value(read(lamp));
   const bool is_rectangle = lamp.shape == LampShape::Rectangle;
-  show_row(PositionRow, true);
-  show_row(DirectionRow, lamp.shape != LampShape::Sphere);
+  show_row(*layout_, PositionRow, true);
+  show_row(*layout_, DirectionRow, lamp.shape != LampShape::Sphere);
   layout_->itemAtPosition(DirectionRow, 3)->widget()->setVisible(is_rectangle);
-  show_row(SizeRow, is_rectangle);
-  show_row(RadiusRow, !is_rectangle);
-  show_row(ButtonRow, true);
+  show_row(*layout_, SizeRow, is_rectangle);
+  show_row(*layout_, RadiusRow, !is_rectangle);
+  show_row(*layout_, ButtonRow, true);
   aim_->setVisible(lamp.shape != LampShape::Sphere);
   show_radiance();
 }
@@ -191,7 +184,8 @@ void LampForm::show_lamp(const Lamp& lamp, double area) {
 void LampForm::show_output(const grf::Colour& radiance, double area) {
   lamp_.radiance = radiance;
   area_ = area;
-  for (const int row : {PositionRow, DirectionRow, SizeRow, RadiusRow, ButtonRow}) show_row(row, false);
+  for (const int row : {PositionRow, DirectionRow, SizeRow, RadiusRow, ButtonRow})
+    show_row(*layout_, row, false);
   show_radiance();
 }
 

@@ -44,7 +44,6 @@ class LampForm : public QWidget {
   void add_placement();
   void add_output();
   void add_buttons();
-  void show_row(int row, bool is_shown);
   void show_radiance();
   void change(const Lamp& lamp, const QString& title, const QString& key);
 

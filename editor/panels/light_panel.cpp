@@ -19,6 +19,7 @@
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
 #include "editor/document/object_edits.h"
+#include "editor/panels/environment_form.h"
 #include "editor/panels/lamp_form.h"
 
 namespace editor {
@@ -73,6 +74,7 @@ LightPanel::LightPanel(Document& document, QWidget* parent)
   layout->addWidget(buttons);
   layout->addWidget(pages_);
   layout->addWidget(problem_);
+  layout->addWidget(new EnvironmentForm(document_.options(), this));
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &LightPanel::choose_item);
   connect(&document_, &Document::changed, this, [this](const Change& change) {
     if (concerns_lights(change)) show_lights();

@@ -37,7 +37,8 @@ View view_of(const grf::Box3d& bounds, float field_of_view, float aspect) {
 }
 
 float focus_distance_of(const View& view) {
-  return view.focus_distance > 0 ? view.focus_distance : static_cast<float>((view.target - view.eye).length());
+  return view.focus_distance > 0 ? view.focus_distance
+                                 : static_cast<float>((view.target - view.eye).length());
 }
 
 View relative_to(const grf::Vec3d& origin, const View& view) {

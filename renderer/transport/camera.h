@@ -14,7 +14,8 @@ struct View {
       0, 1, 0);  ///< the z axis (or, if need be, x) replaces it where it is parallel to the view direction
   float field_of_view = 45;  ///< vertical, degrees, between 0 and 180
   float lens_radius = 0;     ///< of a thin lens, in world units; 0: a pinhole, so that everything is sharp
-  float focus_distance = 0;  ///< from the eye to the plane of focus, along the view direction; 0: to the target
+  float focus_distance =
+      0;  ///< from the eye to the plane of focus, along the view direction; 0: to the target
 
   bool operator==(const View&) const = default;
 };
@@ -33,11 +34,11 @@ class Camera {
  public:
   Camera(const View& view, int width, int height);
 
-  /// The ray from the centre of the lens through an image point, in pixels from the upper left corner. Its cone
-  /// is one pixel wide.
+  /// The ray from the centre of the lens through an image point, in pixels from the upper left corner. Its
+  /// cone is one pixel wide.
   Ray ray(float x, float y) const;
-  /// The ray to the same point of the plane of focus from a point of the lens: depth of field (Cook, Porter and
-  /// Carpenter 1984, "Distributed ray tracing"). `xi` in [0,1) is uniform over the lens.
+  /// The ray to the same point of the plane of focus from a point of the lens: depth of field (Cook, Porter
+  /// and Carpenter 1984, "Distributed ray tracing"). `xi` in [0,1) is uniform over the lens.
   Ray ray(float x, float y, const grf::Vec2f& xi) const;
   bool has_lens() const { return lens_x_ != Vec3f(0); }
 

@@ -235,8 +235,8 @@ std::optional<NotFinite> Render::cause_of_rejection() const {
 }
 
 Uniform4 Render::place_in_pixel(int sample, PathSampler& sampler) const {
-  // The first four dimensions are the position in the pixel and the one on the lens, so that they are stratified
-  // together.
+  // The first four dimensions are the position in the pixel and the one on the lens, so that they are
+  // stratified together.
   Uniform4 place;
   if (settings_.pixel_sampling == PixelSampling::Sobol || camera_.has_lens()) place = sampler.next();
   switch (settings_.pixel_sampling) {

@@ -1,11 +1,14 @@
 // Writes an environment map of the samples as OpenEXR (half float), made by formula and the same on every
 // machine: y is up, the image's centre looks down -z, and right of it is +x.
-//   sky     a clear sky with a low sun, larger than the real one, over dull ground
-//   studio  a dark room with a large soft light above, and strips of light at the left, the right and behind
+//   overcast  the CIE overcast sky, three times as bright at the zenith as at the horizon (Moon and Spencer
+//             1942, "Illumination from a non-uniform sky"), over grey ground
+//   sky       a clear sky with a low sun, larger than the real one, over dull ground
+//   studio    a dark room with a large soft light above, and strips of light at the left, the right and behind
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -52,6 +55,12 @@ V3d sky(const Direction& direction) {
   const V3d blue = V3d(0.13, 0.28, 0.66) + V3d(0.5, 0.42, 0.16) * haze;
   const V3d glow = V3d(1.5, 1.2, 0.8) * std::exp(-away / 9);
   return blue + glow + V3d(200, 164, 118) * (1 - smooth_step(2, 7.5, away));
+}
+
+V3d overcast(const Direction& direction) {
+  constexpr V3d Zenith = {1.0, 1.03, 1.1};
+  if (direction.height < 0) return Zenith * 0.12;
+  return Zenith * ((1 + 2 * std::sin(direction.height * Degree)) / 3);
 }
 
 /// A rectangle of light with soft edges.
@@ -102,12 +111,15 @@ void write(V3d (*radiance_from)(const Direction&), const std::string& path) {
 
 int main(int argc, char** argv) {
   const std::string name = argc > 1 ? argv[1] : "";
-  if (argc != 3 || (name != "sky" && name != "studio")) {
-    fmt::print(stderr, "usage: make_environment sky|studio FILE.exr\n");
+  const std::map<std::string, V3d (*)(const Direction&)> environments = {
+      {"overcast", overcast}, {"sky", sky}, {"studio", studio}};
+  const auto environment = environments.find(name);
+  if (argc != 3 || environment == environments.end()) {
+    fmt::print(stderr, "usage: make_environment overcast|sky|studio FILE.exr\n");
     return 2;
   }
   try {
-    write(name == "sky" ? sky : studio, argv[2]);
+    write(environment->second, argv[2]);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 1;

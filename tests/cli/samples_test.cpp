@@ -163,12 +163,28 @@ float largest_difference(const std::string& path, const std::string& other_path)
 
 TEST(Environments, AreWhatTheirProgramMakes) {
   const test::TemporaryFolder folder;
-  for (const std::string name : {"sky", "studio"}) {
+  for (const std::string name : {"overcast", "sky", "studio"}) {
     const std::string path = folder.path(name + ".exr");
     ASSERT_EQ(test::run({GRANADA_BIN_DIR "/make_environment", name, path}).exit_code, 0);
     // One ulp of half floats.
     EXPECT_LE(largest_difference(path, Samples + "environments/" + name + ".exr"), 0.001F) << name;
   }
+}
+
+// The irradiance of a horizontal surface is 7/9 of that under a sky as bright as the zenith everywhere (Moon
+// and Spencer 1942).
+TEST(Environments, AreOvercastAsMoonAndSpencerSay) {
+  grf::Diagnostics diagnostics;
+  const auto map = transport::read_image(Samples + "environments/overcast.exr", diagnostics);
+  ASSERT_TRUE(map);
+  const double zenith = double(map->at(0, 0).y);
+  double sum = 0;
+  for (int y = 0; y < map->height / 2; ++y) {
+    const double theta = (y + 0.5) / map->height * std::numbers::pi;
+    sum +=
+        double(map->at(7, y).y) / zenith * std::cos(theta) * std::sin(theta) * std::numbers::pi / map->height;
+  }
+  EXPECT_NEAR(2 * sum, 7.0 / 9, 1e-3);
 }
 
 TEST(Environments, SayWhenTheirCommandLineIsBad) {

@@ -98,8 +98,8 @@ double mean_share(double from, double to) {
   return sum / Steps;
 }
 
-// The edge of a wall that glows where x < 0 is blurred over the circle of confusion, whose radius at a depth d is
-// R |1 - d / f| for the focus distance f.
+// The edge of a wall that glows where x < 0 is blurred over the circle of confusion, whose radius at a depth
+// d is R |1 - d / f| for the focus distance f.
 void expect_blur(double depth) {
   constexpr int Width = 24;
   constexpr float Radius = 0.25F;
@@ -114,8 +114,8 @@ void expect_blur(double depth) {
   const double blur = Radius * std::abs(1 - depth / Focus);
   setup.field_of_view = static_cast<float>(2 * std::atan(1.5 * blur / depth) * 180 / std::numbers::pi);
   setup.lens_radius = Radius;
-  const std::string wall = test::quad(
-      "light rgb (1,1,1)", fmt::format("(-9,-9,{0}) (0,-9,{0}) (0,9,{0}) (-9,9,{0})", z));
+  const std::string wall =
+      test::quad("light rgb (1,1,1)", fmt::format("(-9,-9,{0}) (0,-9,{0}) (0,9,{0}) (-9,9,{0})", z));
   const transport::Image image = test::PlannedScene(wall, setup).image();
   const double pixel = 3.0 / Width;  // in radii of the circle
   double most = 0;

@@ -136,8 +136,8 @@ TEST(SwitchedOff, TheBackgroundIsBlack) {
   EXPECT_EQ(settings.integrator.background, Rgb(0));
 }
 
-// A dot with a quarter of the lens' radius, halfway to the plane of focus: a ray from the point o of the lens to the middle of
-// the view passes it at o / 2, so that the inner quarter of the lens' area sees it.
+// A dot with a quarter of the lens' radius, halfway to the plane of focus: a ray from the point o of the lens
+// to the middle of the view passes it at o / 2, so that the inner quarter of the lens' area sees it.
 TEST(SwitchedOff, DepthOfFieldIsAPinhole) {
   PlannedRender setup = look_at_middle(0);
   setup.background = 0;
@@ -152,8 +152,8 @@ TEST(SwitchedOff, DepthOfFieldIsAPinhole) {
   }
   std::string face;
   for (int i = 0; i < Corners; ++i) face += (i == 0 ? "" : ",") + std::to_string(i);
-  const std::string dot = "begin mesh light rgb (1,1,1) begin vertexs " + corners + "end vertexs begin faces (" + face +
-                          ") end faces end mesh ";
+  const std::string dot = "begin mesh light rgb (1,1,1) begin vertexs " + corners +
+                          "end vertexs begin faces (" + face + ") end faces end mesh ";
   expect_with_and_without(dot, setup, Effect::DepthOfField, Rgb(0.25F), Rgb(1), 0.01);
 }
 

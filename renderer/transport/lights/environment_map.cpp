@@ -109,7 +109,8 @@ EnvironmentMap::Place EnvironmentMap::place_of(const Vec3f& direction) const {
   // By the arc tangent, because the arc cosine is inaccurate at the poles.
   const float theta =
       reflectance::glsl::atan2(std::sqrt(direction.x * direction.x + direction.z * direction.z), direction.y);
-  const double phi = within_half_turn(double(reflectance::glsl::atan2(direction.x, -direction.z)) - longitude_);
+  const double phi =
+      within_half_turn(double(reflectance::glsl::atan2(direction.x, -direction.z)) - longitude_);
   const double y = double(theta) / std::numbers::pi * image_.height;
   const double x = (0.5 + phi / (2 * std::numbers::pi)) * image_.width;
   const auto index_of = [](double place, int count) {

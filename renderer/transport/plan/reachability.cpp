@@ -73,7 +73,8 @@ States VisibilityBounds::seen_by_eye() const {
     const bool is_out_of_view = std::any_of(sides.begin(), sides.end(), [&](const Vec3d& side) {
       return std::all_of(points.begin(), points.end(), [&](const Vec3d& point) {
         const Vec3d way = point - eye;
-        // Rays from the lens' rim are off the ray from its centre by its radius, less towards the plane of focus.
+        // Rays from the lens' rim are off the ray from its centre by its radius, less towards the plane of
+        // focus.
         const double blur = view.lens_radius * std::abs(1 - forward.dot(way) / focus_distance);
         return side.dot(way) < -Margin * (way.length() + part.extent) - blur;
       });

@@ -20,9 +20,10 @@ struct PathLimits {
 };
 
 /// The surfaces that paths can hit, a conservative estimate: occlusion is ignored, and a surface is excluded
-/// only if it is outside the view pyramid, widened by the blur of a lens; for scattered paths, if it is behind the planes of all surfaces
-/// that they leave, faces away from them, or is inside a convex solid. Faces do not see each other if one is
-/// in front of the other by no more than rounding, less than the distance from surfaces at which rays start.
+/// only if it is outside the view pyramid, widened by the blur of a lens; for scattered paths, if it is
+/// behind the planes of all surfaces that they leave, faces away from them, or is inside a convex solid.
+/// Faces do not see each other if one is in front of the other by no more than rounding, less than the
+/// distance from surfaces at which rays start.
 struct Reachability {
   Reachability(const CoarseScene& coarse_scene, const PathLimits& limits);
 

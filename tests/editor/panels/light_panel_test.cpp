@@ -1,5 +1,7 @@
 #include "editor/panels/light_panel.h"
 
+#include <QComboBox>
+#include <QFileInfo>
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
@@ -9,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/controls/number_box.h"
+#include "editor/controls/scaled_slider.h"
 #include "tests/editor/panels/panel_scene.h"
 #include "tests/editor/scene_of.h"
 
@@ -150,6 +153,36 @@ TEST_F(LightPanels, SelectFacesThatEmit) {
   ASSERT_EQ(list()->topLevelItemCount(), 2);
   list()->setCurrentItem(list()->topLevelItem(1));
   EXPECT_EQ(document_.selection(), faces);
+}
+
+TEST_F(LightPanels, ChooseRotateAndBrightenTheEnvironment) {
+  auto* maps = find<QComboBox>("Environment map");
+  ASSERT_EQ(maps->currentIndex(), 0);
+  EXPECT_TRUE(find<NumberBox>("Background, red")->isVisible());
+  EXPECT_FALSE(find<NumberBox>("Rotation of the environment")->isVisible());
+  const QStringList names = {"overcast", "sky", "studio"};
+  for (const QString& name : names) EXPECT_GE(maps->findText(name), 0) << name.toStdString();
+  maps->setFocus();
+  QTest::keyClicks(maps, "sky");
+  QTest::keyClick(maps, Qt::Key_Return);
+  const options::RenderOptions& options = document_.options().valid_options();
+  EXPECT_TRUE(QFileInfo::exists(QString::fromStdString(options.environment)));
+  EXPECT_FALSE(find<NumberBox>("Background, red")->isVisible());
+  type("Rotation of the environment", "45deg");
+  EXPECT_EQ(options.environment_rotation, 45);
+  type("Brightness of the environment", "2");
+  EXPECT_EQ(options.environment_scale, 2);
+  auto* slider = find<ScaledSlider>("Rotation of the environment, slider");
+  EXPECT_EQ(slider->number(), 45);
+  slider->setFocus();
+  QTest::keyClick(slider, Qt::Key_Home);
+  QTRY_COMPARE(options.environment_rotation, -180.0F);
+  EXPECT_EQ(find<NumberBox>("Rotation of the environment")->value(), -180);
+  EXPECT_NE(document_.options().op_text().text().find("BPT_EM_Scale"), std::string::npos);
+  while (document_.undo_stack().canUndo()) document_.undo_stack().undo();
+  EXPECT_EQ(options.environment, "");
+  EXPECT_EQ(options.environment_rotation, 0);
+  EXPECT_TRUE(find<NumberBox>("Background, red")->isVisible());
 }
 
 }  // namespace

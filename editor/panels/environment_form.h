@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+#include <functional>
+
+#include "renderer/options/render_options.h"
+
+class QComboBox;
+
+namespace editor {
+
+class ColourFields;
+class NumberBox;
+class OpDocument;
+class ScaledSlider;
+
+/// The environment maps that come with the program, in `share/granada/environments` beside its folder.
+QStringList bundled_environments();
+
+/// Edits the environment of a scene in its render options: a map with rotation and brightness, or a constant
+/// background where there is none.
+class EnvironmentForm : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// The options outlive the form.
+  explicit EnvironmentForm(OpDocument& render_options, QWidget* parent = nullptr);
+
+  /// Sets the environment map to an image file; an empty path means none.
+  void set_environment(const QString& path);
+
+ private:
+  using Edit = std::function<void(options::RenderOptions&)>;
+
+  void add_rotation();
+  void add_brightness();
+  void choose(int index);
+  void choose_file();
+  void change(const QString& title, const QString& key, const Edit& edit);
+  void show_options();
+
+  OpDocument& render_options_;
+  QComboBox* maps_;
+  NumberBox* rotation_ = nullptr;
+  ScaledSlider* rotation_slider_ = nullptr;
+  NumberBox* brightness_ = nullptr;
+  ColourFields* background_;
+};
+
+}  // namespace editor
