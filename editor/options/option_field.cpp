@@ -217,6 +217,29 @@ class TextField : public OptionField {
   QLineEdit* text_;
 };
 
+/// The names of the cameras, which are edited in the Camera dock.
+class CamerasField : public OptionField {
+ public:
+  CamerasField(const OptionInfo& option, QWidget* parent)
+      : OptionField(parent), words_of_camera_(qsizetype(word_count(option))), names_(new QLineEdit(this)) {
+    tight_layout<QHBoxLayout>(this)->addWidget(names_);
+    names_->setReadOnly(true);
+    names_->setPlaceholderText(text_of(option.default_value));
+    names_->setAccessibleName(text_of(option.key));
+    setFocusProxy(names_);
+  }
+
+  void show_words(const std::optional<QStringList>& words) override {
+    QStringList names;
+    for (qsizetype i = 0; words && i < words->size(); i += words_of_camera_) names << (*words)[i];
+    names_->setText(names.join(", "));
+  }
+
+ private:
+  qsizetype words_of_camera_;
+  QLineEdit* names_;
+};
+
 /// Creates the field for each kind of value.
 struct FieldMaker {
   const OptionInfo& option;
@@ -226,6 +249,8 @@ struct FieldMaker {
 
   OptionField* operator()(const PathOption& value) const { return new PathField(option, value, parent); }
   OptionField* operator()(const AddressOption&) const { return new TextField(option, parent); }
+  OptionField* operator()(const NameOption&) const { return new TextField(option, parent); }
+  OptionField* operator()(const CamerasOption&) const { return new CamerasField(option, parent); }
   OptionField* operator()(const SizeOption&) const { return numbers({1, 65535, true}); }
   OptionField* operator()(const VectorOption& value) const {
     return numbers({value.minimum, Largest, false});
@@ -268,6 +293,8 @@ struct LegalValues {
         .arg(endings.join(", "));
   }
   QString operator()(const AddressOption&) const { return QObject::tr("HOST:PORT, or none"); }
+  QString operator()(const NameOption&) const { return QObject::tr("a name, or none"); }
+  QString operator()(const CamerasOption&) const { return QObject::tr("see the Camera dock"); }
   QString operator()(const SizeOption&) const { return QObject::tr("two whole numbers, 1 to 65535"); }
   QString operator()(const VectorOption& value) const {
     return value.minimum == 0 ? QObject::tr("three numbers, 0 or more") : QObject::tr("three numbers");

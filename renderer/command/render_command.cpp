@@ -157,24 +157,25 @@ RunSettings run_settings_of(const RenderOptions& render_options, const std::stri
   return settings;
 }
 
-}  // namespace
+/// Returns the file of a frame: its number is inserted before the extension.
+std::string file_of_frame(const std::string& path, int frame) {
+  const std::filesystem::path whole(path);
+  std::filesystem::path named = whole.parent_path() / whole.stem();
+  named += fmt::format("_{:04}", frame) + whole.extension().string();
+  return named.string();
+}
 
-grf::ExitCode render(const RenderArguments& arguments) {
+/// Renders and writes one image; `before` has the messages about the options.
+ExitCode render_image(const RenderArguments& arguments, const RenderOptions& render_options,
+                      const std::vector<std::string>& outputs, const Diagnostics& before) {
   const auto start = Clock::now();
-  std::optional<job::RenderJob> job;
   std::optional<transport::Render> render;
   SignalHandler signal_handler;  // destroyed before the render that it stops
-  Diagnostics diagnostics;
-  auto render_options = read_options(arguments.scene, diagnostics);
-  std::vector<std::string> outputs;
-  if (render_options) {
-    if (!apply_flags(arguments.flags, *render_options)) return ExitCode::BadCommandLine;
-    outputs = outputs_of(arguments, *render_options);
-    job = prepare(*render_options, outputs, diagnostics);
-  }
+  Diagnostics diagnostics = before;
+  const std::optional<job::RenderJob> job = prepare(render_options, outputs, diagnostics);
   print(diagnostics);
   if (!job) return ExitCode::BadInput;
-  const RunSettings settings = run_settings_of(*render_options, outputs.front(), diagnostics);
+  const RunSettings settings = run_settings_of(render_options, outputs.front(), diagnostics);
   render.emplace(job->scene, job->settings);
   const double setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   ProgressReport progress(progress_style_of(arguments.progress));
@@ -183,12 +184,44 @@ grf::ExitCode render(const RenderArguments& arguments) {
   print(of_run);
   if (!has_run) return ExitCode::BadInput;
   const auto estimate = render->error_estimate();
-  if (!keep(*render, estimate, job->scene, job->settings.view, *render_options, outputs)) {
+  if (!keep(*render, estimate, job->scene, job->settings.view, render_options, outputs)) {
     return ExitCode::BadInput;
   }
   progress.finish(render->progress(), outputs.front());
-  print(summary_of(*render, estimate, *render_options, outputs.front(), setup_seconds, job->plan), arguments);
+  print(summary_of(*render, estimate, render_options, outputs.front(), setup_seconds, job->plan), arguments);
   return signal_handler.was_signalled() ? ExitCode::Interrupted : ExitCode::Done;
+}
+
+/// Renders the frames of an animation, up to the first that fails.
+ExitCode render_frames(const RenderArguments& arguments, RenderOptions render_options,
+                       const std::vector<std::string>& outputs, const Diagnostics& diagnostics) {
+  const bool is_one = render_options.frame > 0;
+  const int last = is_one ? render_options.frame : render_options.frames;
+  const std::string checkpoint = render_options.checkpoint;
+  for (int frame = is_one ? last : 1; frame <= last; ++frame) {
+    render_options.frame = frame;
+    if (!checkpoint.empty()) render_options.checkpoint = file_of_frame(checkpoint, frame);
+    std::vector<std::string> of_frame;
+    for (const std::string& output : outputs) of_frame.push_back(file_of_frame(output, frame));
+    const ExitCode code = render_image(arguments, render_options, of_frame, diagnostics);
+    if (code != ExitCode::Done) return code;
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+grf::ExitCode render(const RenderArguments& arguments) {
+  Diagnostics diagnostics;
+  auto render_options = read_options(arguments.scene, diagnostics);
+  if (!render_options) {
+    print(diagnostics);
+    return ExitCode::BadInput;
+  }
+  if (!apply_flags(arguments.flags, *render_options)) return ExitCode::BadCommandLine;
+  const std::vector<std::string> outputs = outputs_of(arguments, *render_options);
+  if (render_options->frames == 1) return render_image(arguments, *render_options, outputs, diagnostics);
+  return render_frames(arguments, *render_options, outputs, diagnostics);
 }
 
 }  // namespace command

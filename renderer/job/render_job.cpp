@@ -9,6 +9,7 @@
 #include "grf/read.h"
 #include "grf/relocate.h"
 #include "grf/write.h"
+#include "renderer/job/camera_path.h"
 #include "renderer/options/scheme_model.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/transport/baked_scene.h"
@@ -129,6 +130,8 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   settings.view.up = render_options.up;
   settings.view.lens_radius = render_options.lens_radius;
   settings.view.focus_distance = render_options.focus_distance.value_or(0);
+  if (const auto named = named_view(render_options)) settings.view = *named;
+  settings.view = view_of_frame(render_options, settings.view);
   settings.integrator.background = render_options.background;
   settings.integrator.depth = render_options.depth;
   settings.integrator.split_count = render_options.split_count;
@@ -179,7 +182,8 @@ std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::Compil
   compile_settings.effects = render_options.effects();
   const transport::CoarseScene coarse_scene(scene, transport::most_copied_triangles(compile_settings));
   transport::RenderSettings settings = settings_of(render_options, coarse_scene.bounds);
-  if (!has_view_direction(settings.view, diagnostics)) return std::nullopt;
+  if (!check_cameras(render_options, diagnostics) || !has_view_direction(settings.view, diagnostics))
+    return std::nullopt;
   transport::PlanSettings plan_settings = plan_settings_of(render_options, settings);
   if (compile_settings.scheme) plan_settings.scheme = to_text(compile_settings.scheme->model);
   transport::Plan plan = transport::plan_of(coarse_scene, plan_settings);

@@ -50,7 +50,8 @@ class OpReader {
     }
     const auto [option, key_words] = op_key(words);
     if (option == nullptr) return report_unknown(words, at(words[0]));
-    if (const auto [first, is_new] = lines_.emplace(option, line_); !is_new) {
+    const auto [first, is_new] = lines_.emplace(option, line_);
+    if (!is_new && !is_repeated(*option)) {
       diagnostics_.error(at(words[0]),
                          fmt::format("{} is given twice, first on line {}", option->key, first->second));
       return;
@@ -62,9 +63,19 @@ class OpReader {
       values[0] = grf::path_beside(path_, values[0]);
     const OpWord& place = words.size() > key_words ? words[key_words] : words[0];
     options_.locations[option->key] = at(place);
-    if (const auto problem = set_option(options_, *option, values)) {
+    if (const auto problem = add_values(*option, values)) {
       diagnostics_.error(at(place), fmt::format("{}: {}", option->key, *problem));
     }
+  }
+
+  /// Sets an option; a repeated one keeps the values of the lines before.
+  std::optional<std::string> add_values(const OptionInfo& option, const std::vector<std::string>& values) {
+    if (!is_repeated(option)) return set_option(options_, option, values);
+    RenderOptions alone;
+    if (auto problem = set_option(alone, option, values)) return problem;
+    std::vector<std::string> all = option_words(options_, option);
+    all.insert(all.end(), values.begin(), values.end());
+    return set_option(options_, option, all);
   }
 
   void report_unknown(const std::vector<OpWord>& words, const grf::SourceLocation& place) {

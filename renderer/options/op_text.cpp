@@ -118,9 +118,20 @@ std::vector<std::size_t> OpText::lines_of(const OptionInfo& option) const {
 }
 
 std::optional<std::vector<std::string>> OpText::words_of(const OptionInfo& option) const {
-  const std::uint32_t line = line_of(option);
-  if (line == 0) return std::nullopt;
-  const std::vector<OpWord> all = op_words(lines_[line - 1].text);
+  std::vector<std::size_t> lines = lines_of(option);
+  if (lines.empty()) return std::nullopt;
+  if (!is_repeated(option)) lines.resize(1);
+  std::vector<std::string> words;
+  for (const std::size_t line : lines) {
+    const std::vector<std::string> of_line = words_at(line);
+    words.insert(words.end(), of_line.begin(), of_line.end());
+  }
+  return words;
+}
+
+/// The words of a line after its key.
+std::vector<std::string> OpText::words_at(std::size_t line) const {
+  const std::vector<OpWord> all = op_words(lines_[line].text);
   std::vector<std::string> words;
   for (std::size_t i = op_key(all).word_count; i < all.size(); ++i) words.push_back(all[i].text);
   return words;
@@ -139,11 +150,14 @@ const OptionInfo* OpText::option_at(std::uint32_t line) const {
 RenderOptions OpText::options() const {
   RenderOptions options;
   for (std::size_t i = lines_.size(); i-- > 0;) {  // backwards, so that the first of duplicate keys wins
-    const std::vector<OpWord> all = op_words(lines_[i].text);
-    const auto [option, key_words] = op_key(all);
+    const OptionInfo* option = op_key(op_words(lines_[i].text)).option;
     if (option == nullptr) continue;
-    std::vector<std::string> words;
-    for (std::size_t k = key_words; k < all.size(); ++k) words.push_back(all[k].text);
+    std::vector<std::string> words = words_at(i);
+    if (is_repeated(*option)) {
+      if (words.size() != word_count(*option)) continue;
+      const std::vector<std::string> behind = option_words(options, *option);
+      words.insert(words.end(), behind.begin(), behind.end());
+    }
     set_option(options, *option, words);  // keeps the value if the words are invalid
   }
   return options;
@@ -155,12 +169,19 @@ bool OpText::set(const OptionInfo& option, const std::vector<std::string>& words
     remove(option);
     return true;
   }
+  const std::size_t words_of_line = is_repeated(option) ? word_count(option) : words.size();
   const std::vector<std::size_t> lines = lines_of(option);
-  for (std::size_t i = lines.size(); i-- > 1;) remove_line(lines[i]);
-  if (lines.empty()) {
-    add(option, words);
-  } else {
-    replace(lines.front(), words);
+  const std::size_t wanted = (words.size() + words_of_line - 1) / words_of_line;
+  for (std::size_t i = lines.size(); i-- > wanted;) remove_line(lines[i]);
+  for (std::size_t i = 0; i < wanted; ++i) {
+    const auto first = words.begin() + static_cast<std::ptrdiff_t>(i * words_of_line);
+    const auto last =
+        words.begin() + static_cast<std::ptrdiff_t>(std::min((i + 1) * words_of_line, words.size()));
+    if (i < lines.size()) {
+      replace(lines[i], {first, last});
+    } else {
+      add(option, {first, last});
+    }
   }
   return true;
 }

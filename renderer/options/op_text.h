@@ -51,6 +51,7 @@ class OpText {
   };
 
   std::vector<std::size_t> lines_of(const OptionInfo& option) const;
+  std::vector<std::string> words_at(std::size_t line) const;
   void replace(std::size_t line, const std::vector<std::string>& words);
   void add(const OptionInfo& option, const std::vector<std::string>& words);
   std::optional<std::size_t> insertion_line(const OptionInfo& option) const;

@@ -60,6 +60,24 @@ std::vector<OptionInfo> view_options() {
        NumberOption<float, std::optional<float>>{&Options::focus_distance, 0, Largest, true}, "float",
        "the distance to BPT_VLook",
        "distance from the camera to the plane in focus, along the view direction, in world units"},
+      {"BPT_Cameras", "", CamerasOption{&Options::cameras}, "name x y z x y z x y z float float float",
+       "none",
+       "cameras with names, one a line: the position, the look-at point, the up vector, the field of view, "
+       "the lens "
+       "radius and the focus distance (0: to the look-at point), as in the options above"},
+      {"BPT_Camera", "--camera", NameOption{&Options::camera}, "name", "none",
+       "render by this one of BPT_Cameras; none: by the options above"},
+      {"BPT_Frames", "--frames", NumberOption<int>{&Options::frames, 1, 1'000'000}, "int", "1",
+       "render an animation of so many images, with the frame's number before the extension: image_0001.exr; "
+       "1: a "
+       "still image"},
+      {"BPT_CameraPath", "--camera-path",
+       WordOption{&Options::camera_path, {"turntable", "linear", "smooth"}}, "word", "turntable",
+       "camera of an animation: turntable, around the look-at point; linear or smooth (a Catmull-Rom "
+       "spline), from "
+       "the first of BPT_Cameras through all of them to the last one"},
+      {"BPT_Frame", "--frame", NumberOption<int>{&Options::frame, 0, 1'000'000}, "int", "0",
+       "render only this frame of an animation, from 1; 0: all frames"},
       {"BPT_Background", "", VectorOption{&Options::background, 0}, "r g b", "0 0 0",
        "constant background radiance where rays leave the scene, W/(sr m2)"},
       {"BPT_EM_Background", "--environment",

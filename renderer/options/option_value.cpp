@@ -1,5 +1,6 @@
 // Values of options are converted from words and back.
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <limits>
@@ -132,6 +133,52 @@ Problem set(RenderOptions& options, const AddressOption& option, const std::vect
   return std::nullopt;
 }
 
+Problem set(RenderOptions& options, const NameOption& option, const std::vector<std::string>& words) {
+  if (words[0].empty()) return "found an empty name, expected a name, or none";
+  options.*option.field = grf::same_keyword(words[0], "none") ? std::string() : words[0];
+  return std::nullopt;
+}
+
+Problem parse_camera(const std::vector<std::string>& words, NamedCamera& camera) {
+  camera.name = words[0];
+  if (camera.name.empty() || grf::same_keyword(camera.name, "none"))
+    return fmt::format("found the name '{}', expected another one", camera.name);
+  std::array<float, CamerasOption::WordsOfCamera - 1> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!parse(words[i + 1], numbers[i])) return fmt::format("found '{}', expected a number", words[i + 1]);
+  }
+  camera.eye = {numbers[0], numbers[1], numbers[2]};
+  camera.target = {numbers[3], numbers[4], numbers[5]};
+  camera.up = {numbers[6], numbers[7], numbers[8]};
+  camera.field_of_view = numbers[9];
+  camera.lens_radius = numbers[10];
+  camera.focus_distance = numbers[11];
+  if (!(camera.field_of_view > 0 && camera.field_of_view < 180))
+    return fmt::format("found '{}', expected a field of view between 0 and 180", words[10]);
+  if (camera.lens_radius < 0 || camera.focus_distance < 0)
+    return fmt::format("found '{} {}', expected a lens radius and a focus distance of 0 or more", words[11],
+                       words[12]);
+  if (camera.eye == camera.target)
+    return fmt::format("the camera '{}' looks at its own position: the view direction is undefined",
+                       camera.name);
+  return std::nullopt;
+}
+
+Problem set(RenderOptions& options, const CamerasOption& option, const std::vector<std::string>& words) {
+  std::vector<NamedCamera> cameras;
+  for (std::size_t i = 0; i < words.size(); i += option.WordsOfCamera) {
+    const auto first = words.begin() + static_cast<std::ptrdiff_t>(i);
+    NamedCamera camera;
+    if (Problem problem = parse_camera({first, first + option.WordsOfCamera}, camera)) return problem;
+    const auto same = [&](const NamedCamera& other) { return other.name == camera.name; };
+    if (std::any_of(cameras.begin(), cameras.end(), same))
+      return fmt::format("two cameras have the name '{}'", camera.name);
+    cameras.push_back(std::move(camera));
+  }
+  options.*option.field = std::move(cameras);
+  return std::nullopt;
+}
+
 Problem set(RenderOptions& options, const SizeOption& option, const std::vector<std::string>& words) {
   constexpr int LargestSide = 65535;
   ImageSize size;
@@ -189,6 +236,18 @@ Words words_of(const std::string& value) { return value.empty() ? Words() : Word
 Words words_of(const std::vector<std::string>& value) {
   return {value.empty() ? "none" : fmt::format("{}", fmt::join(value, ","))};
 }
+Words words_of(const std::vector<NamedCamera>& cameras) {
+  Words words;
+  for (const NamedCamera& camera : cameras) {
+    words.push_back(camera.name);
+    for (const grf::Vec3f& vector : {camera.eye, camera.target, camera.up}) {
+      for (const std::string& word : words_of(vector)) words.push_back(word);
+    }
+    for (const float number : {camera.field_of_view, camera.lens_radius, camera.focus_distance})
+      words.push_back(fmt::format("{}", number));
+  }
+  return words;
+}
 template <class Value>
 Words words_of(const std::optional<Value>& value) {
   return value ? words_of(*value) : Words();
@@ -214,12 +273,15 @@ transport::EffectSet RenderOptions::effects() const {
   return effects;
 }
 
+bool is_repeated(const OptionInfo& option) { return std::holds_alternative<CamerasOption>(option.value); }
+
 std::size_t word_count(const OptionInfo& option) {
   if (std::holds_alternative<SizeOption>(option.value) ||
       std::holds_alternative<PairOption<IntegerPair>>(option.value) ||
       std::holds_alternative<PairOption<std::optional<IntegerPair>>>(option.value)) {
     return 2;
   }
+  if (is_repeated(option)) return CamerasOption::WordsOfCamera;
   const bool is_vector =
       std::holds_alternative<VectorOption>(option.value) || std::holds_alternative<PointOption>(option.value);
   return is_vector ? 3 : 1;
@@ -227,9 +289,10 @@ std::size_t word_count(const OptionInfo& option) {
 
 std::optional<std::string> set_option(RenderOptions& options, const OptionInfo& option,
                                       const std::vector<std::string>& words) {
-  if (words.size() != word_count(option)) {
+  const std::size_t count = word_count(option);
+  if (words.size() != count && (!is_repeated(option) || words.empty() || words.size() % count != 0)) {
     return fmt::format("found {} {}, expected {} ({})", words.size(), words.size() == 1 ? "value" : "values",
-                       word_count(option), option.values);
+                       count, option.values);
   }
   return std::visit([&](const auto& value) { return set(options, value, words); }, option.value);
 }

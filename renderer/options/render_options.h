@@ -31,6 +31,19 @@ struct IntegerPair {
   bool operator==(const IntegerPair&) const = default;
 };
 
+/// A camera with a name: one of several of a scene, and one of the key cameras of a camera path.
+struct NamedCamera {
+  std::string name;
+  grf::Vec3f eye = grf::Vec3f(0);     ///< world coordinates
+  grf::Vec3f target = grf::Vec3f(0);  ///< the point looked at, world coordinates
+  grf::Vec3f up = grf::Vec3f(0, 1, 0);
+  float field_of_view = 45;  ///< vertical, degrees
+  float lens_radius = 0;     ///< world units; 0: a pinhole camera
+  float focus_distance = 0;  ///< world units, along the view direction; 0: to the target
+
+  bool operator==(const NamedCamera&) const = default;
+};
+
 /// Source locations of options, by key. Locations do not take part in equality.
 struct OptionLocations : std::map<std::string_view, grf::SourceLocation> {
   bool operator==(const OptionLocations&) const { return true; }
@@ -74,9 +87,14 @@ struct RenderOptions : SchemeOptions {
   std::optional<grf::Vec3f> eye;     ///< the eye, in world coordinates; absent: framed to the scene
   std::optional<grf::Vec3f> target;  ///< the point looked at; absent: the scene's centre
   grf::Vec3f up = grf::Vec3f(0, 1, 0);
-  float field_of_view = 45;               ///< vertical, degrees
-  float lens_radius = 0;                  ///< world units; 0: a pinhole camera
-  std::optional<float> focus_distance;    ///< world units, along the view direction; absent: to the target
+  float field_of_view = 45;             ///< vertical, degrees
+  float lens_radius = 0;                ///< world units; 0: a pinhole camera
+  std::optional<float> focus_distance;  ///< world units, along the view direction; absent: to the target
+  std::vector<NamedCamera> cameras;     ///< with different names
+  std::string camera;  ///< the name of the one of these that renders; empty: that of the fields above
+  int frames = 1;      ///< of an animation of the camera; 1: a still image
+  int frame = 0;       ///< the one to render, from 1; 0: all
+  std::string camera_path = "turntable";  ///< or linear or smooth, through `cameras`
   grf::Vec3f background = grf::Vec3f(0);  ///< radiance, W/(sr m2)
   std::string environment;                ///< path of an environment map or backplate
   std::string projection = "latlong";     ///< of that image: latlong or backplate
@@ -171,6 +189,16 @@ struct PathOption {
 struct AddressOption {
   std::string RenderOptions::*field;
 };
+/// A name, which the word `none` leaves empty.
+struct NameOption {
+  std::string RenderOptions::*field;
+};
+/// Cameras with names, one a line of the file: the option is the only one that may be given several times.
+struct CamerasOption {
+  static constexpr std::size_t WordsOfCamera = 13;
+
+  std::vector<NamedCamera> RenderOptions::*field;
+};
 struct SizeOption {
   ImageSize RenderOptions::*field;
 };
@@ -190,11 +218,11 @@ std::string_view title_of(OptionGroup group);
 struct OptionInfo {
   std::string_view key;   ///< key in OP files, `BPT_Depth`
   std::string_view flag;  ///< command-line flag, `--depth`; empty: only in files
-  std::variant<PathOption, AddressOption, SizeOption, VectorOption, PointOption, NumberOption<int>,
-               NumberOption<std::uint32_t>, NumberOption<float>, NumberOption<int, std::optional<int>>,
-               NumberOption<float, std::optional<float>>, BooleanOption<bool>,
-               BooleanOption<std::optional<bool>>, WordOption, ListOption, PairOption<IntegerPair>,
-               PairOption<std::optional<IntegerPair>>>
+  std::variant<PathOption, AddressOption, NameOption, CamerasOption, SizeOption, VectorOption, PointOption,
+               NumberOption<int>, NumberOption<std::uint32_t>, NumberOption<float>,
+               NumberOption<int, std::optional<int>>, NumberOption<float, std::optional<float>>,
+               BooleanOption<bool>, BooleanOption<std::optional<bool>>, WordOption, ListOption,
+               PairOption<IntegerPair>, PairOption<std::optional<IntegerPair>>>
       value;
   std::string_view values;         ///< types of the values, `int int`
   std::string_view default_value;  ///< as text
@@ -207,8 +235,11 @@ const std::vector<OptionInfo>& option_table();
 /// Finds the option of a key, case-insensitively; `BPT Depth` and `Depth` are BPT_Depth too. Null if unknown.
 const OptionInfo* find_option(std::string_view key);
 
-/// Returns the number of words of an option's value.
+/// Returns the number of words of an option's value; of each value if the option is repeated.
 std::size_t word_count(const OptionInfo& option);
+
+/// Whether an option may have several values, each on a line of its own. Their words follow each other.
+bool is_repeated(const OptionInfo& option);
 
 /// Sets an option from words. Returns an error message, or nothing. Paths are not resolved.
 std::optional<std::string> set_option(RenderOptions& options, const OptionInfo& option,

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/transport/image/image.h"
 #include "tests/support/paths.h"
 
 namespace {
@@ -152,6 +153,59 @@ TEST_F(Bpt, LightsByAnEnvironmentMap) {
   EXPECT_NE(test::bytes_of(path("scene.exr")), with_map);
   EXPECT_EQ(bpt({"render", op, "--ris", "8"}).exit_code, 2);
   EXPECT_EQ(bpt({"render", op, "--ris", "16x4"}).exit_code, 0);
+}
+
+const std::string SmallOp = "BPT_Scene scene.grf\nBPT_Image_Resolution 8 8\nBPT_Samples 2\n";
+
+TEST_F(Bpt, RendersTheCameraThatIsNamed) {
+  write("scene.grf", Quad);
+  const std::string op =
+      write("scene.op", SmallOp +
+                            "BPT_Cameras \"the front\" .5 .5 .9  .5 .5 0  0 1 0  45 0 0\n"
+                            "BPT_Cameras away .5 .5 .9  9 .5 .9  0 1 0  45 0 0  # sees nothing\n");
+  ASSERT_EQ(bpt({"render", op, "--camera", "the front", "--output", path("front.pfm")}).err, "");
+  ASSERT_EQ(bpt({"render", op, "--camera", "away", "--output", path("away.pfm")}).err, "");
+  grf::Diagnostics diagnostics;
+  const auto front = transport::read_image(path("front.pfm"), diagnostics);
+  const auto away = transport::read_image(path("away.pfm"), diagnostics);
+  ASSERT_TRUE(front && away);
+  EXPECT_GT(front->at(4, 4).x, 0);
+  EXPECT_EQ(away->at(4, 4).x, 0);
+  const Outcome unknown = bpt({"render", op, "--camera", "side"});
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_NE(unknown.err.find("there is no camera 'side', expected one of the front, away"), std::string::npos)
+      << unknown.err;
+}
+
+TEST_F(Bpt, ReportsMistakesInCamerasAtTheirLine) {
+  write("scene.grf", Quad);
+  const std::string op = write("scene.op", SmallOp + "BPT_Cameras a 0 0 3  0 0 0  0 1 0  45 0 0\n" +
+                                               "BPT_Cameras b 0 0 3  0 0 0  0 1 0  45 0\n" +
+                                               "BPT_Cameras a 0 0 4  0 0 0  0 1 0  45 0 0\n");
+  const Outcome outcome = bpt({"render", op});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find("scene.op:5:13: error: BPT_Cameras: found 12 values, expected 13"),
+            std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("scene.op:6:13: error: BPT_Cameras: two cameras have the name 'a'"),
+            std::string::npos)
+      << outcome.err;
+}
+
+TEST_F(Bpt, RendersFramesOfAnAnimation) {
+  write("scene.grf", Quad);
+  const std::string op =
+      write("scene.op", SmallOp + "BPT_Frames 3\nBPT_Viewer 0.5 1 3\nBPT_VLook 0.4 0.5 0\n");
+  ASSERT_EQ(bpt({"render", op, "--output", path("turn.pfm")}).err, "");
+  const std::string second = test::bytes_of(path("turn_0002.pfm"));
+  for (const char* other : {"turn_0001.pfm", "turn_0003.pfm"}) {
+    EXPECT_NE(test::bytes_of(path(other)), "");
+    EXPECT_FALSE(test::bytes_of(path(other)) == second) << other;
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("turn.pfm")));
+  ASSERT_EQ(bpt({"render", op, "--frame", "2", "--output", path("one.pfm")}).err, "");
+  EXPECT_TRUE(test::bytes_of(path("one_0002.pfm")) == second);
+  EXPECT_FALSE(std::filesystem::exists(path("one_0001.pfm")));
 }
 
 TEST_F(Bpt, ReportsEnvironmentMapsThatAreNone) {

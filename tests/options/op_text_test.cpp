@@ -107,6 +107,32 @@ TEST(OpText, KeepsLineEndsOfLinesThatStay) {
   EXPECT_EQ(text.plain_text(), "");
 }
 
+TEST(OpTextOptions, KeepsCamerasALineEach) {
+  const OptionInfo& cameras = option("BPT_Cameras");
+  OpText text(
+      "BPT_Scene a.grf\nBPT_Cameras a 1 0 3 0 0 0 0 1 0 45 0 0 # the first\nBPT_Cameras bad 1\nBPT_Depth "
+      "3\n");
+  ASSERT_EQ(text.options().cameras.size(), 1U);
+  Words words = option_words(text.options(), cameras);
+  for (const char* word : {"b", "2", "0", "3", "0", "0", "0", "0", "1", "0", "30", "0.5", "2"})
+    words.push_back(word);
+  ASSERT_TRUE(text.set(cameras, words));
+  EXPECT_EQ(text.text(),
+            "BPT_Scene a.grf\nBPT_Cameras a 1 0 3 0 0 0 0 1 0 45 0 0 # the first\n"
+            "BPT_Cameras b 2 0 3 0 0 0 0 1 0 30 0.5 2\nBPT_Depth 3\n");
+  ASSERT_EQ(text.options().cameras.size(), 2U);
+  EXPECT_EQ(text.options().cameras[0].name, "a");
+  EXPECT_EQ(text.options().cameras[1].name, "b");
+  EXPECT_EQ(text.options().cameras[1].lens_radius, 0.5F);
+  EXPECT_EQ(text.words_of(cameras), words);
+  words.erase(words.begin(), words.begin() + 13);
+  ASSERT_TRUE(text.set(cameras, words));
+  EXPECT_EQ(text.options().cameras.size(), 1U);
+  EXPECT_EQ(text.options().cameras[0].name, "b");
+  ASSERT_TRUE(text.set(cameras, {}));
+  EXPECT_EQ(text.text(), "BPT_Scene a.grf\n# the first\nBPT_Depth 3\n");
+}
+
 // Property tests with random texts and edits.
 
 std::string any_of(const Words& words) { return *rc::gen::elementOf(words); }
@@ -122,6 +148,16 @@ Words words_for(const OptionInfo& info) {
   }
   if (info.values == "bool") return {any_of({"true", "false"})};
   if (info.values == "path") return {any_of({"a b.x", "#c", "/d//e", "\xC3\xA9.x", "a//b"})};
+  if (info.values == "name") return {any_of({"side", "the front", "none"})};
+  if (is_repeated(info)) {
+    Words cameras;
+    const int count = *rc::gen::inRange(1, 4);
+    for (int i = 0; i < count; ++i) {
+      cameras.push_back("camera " + std::to_string(i));
+      for (std::size_t k = 1; k < options::word_count(info); ++k) cameras.push_back(k == 1 ? "1" : number());
+    }
+    return cameras;
+  }
   if (info.values == "HOST:PORT") return {any_of({"[::1]:80", "none"})};
   if (std::holds_alternative<options::PairOption<std::optional<options::IntegerPair>>>(info.value)) {
     return {"8", any_of({"1", "2", "8"})};
@@ -205,6 +241,7 @@ RC_GTEST_PROP(OpTextProperty, KeepsAllThatIsNotEdited, ()) {
 RC_GTEST_PROP(OpTextProperty, ChangesNoOtherLine, ()) {
   const std::string text = random_text();
   const OptionInfo& info = any_option();
+  if (is_repeated(info)) RC_DISCARD("has several lines");
   OpText edited(text);
   const std::uint32_t line = edited.line_of(info);
   RC_ASSERT(edited.set(info, words_for(info)));

@@ -51,6 +51,13 @@ TEST(OptionTable, DefaultsAreThoseOfTheStruct) {
                           "BPT_Threads",
                           "BPT_EM_Background",
                           "BPT_EM_Projection",
+                          "BPT_EM_Rotation",
+                          "BPT_EM_Scale",
+                          "BPT_LensRadius",
+                          "BPT_Camera",
+                          "BPT_Frames",
+                          "BPT_Frame",
+                          "BPT_CameraPath",
                           "BPT_Pdf_memstat",
                           "BPT_Pdf_Factors_File",
                           "BPT_Chrono_Sampling",
@@ -87,8 +94,15 @@ TEST(OptionTable, FindsKeysHoweverTheyAreWritten) {
 // A value for each key, other than its default.
 TEST(OptionTable, WordsOfAnOptionSetItAgain) {
   const std::map<std::string_view, std::string> values = {
-      {"float", "0.1"},   {"int", "7"},      {"int int", "5 3"},       {"x y z", "0.1 1e-20 3"},
-      {"r g b", "1 2 3"}, {"path", "a/b c"}, {"HOST:PORT", "[::1]:80"}};
+      {"float", "0.1"},
+      {"int", "7"},
+      {"int int", "5 3"},
+      {"x y z", "0.1 1e-20 3"},
+      {"r g b", "1 2 3"},
+      {"path", "a/b c"},
+      {"HOST:PORT", "[::1]:80"},
+      {"name", "side"},
+      {"name x y z x y z x y z float float float", "side 1 2 3 4 5 6 0 1 0 45 0 0.5"}};
   for (const options::OptionInfo& option : options::option_table()) {
     RenderOptions first;
     std::vector<std::string> words;
