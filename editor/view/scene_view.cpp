@@ -180,10 +180,10 @@ grf::Box3d SceneView::drawn_bounds() const {
   return box;
 }
 
+// Changes of one turn of the event loop are drawn together.
 void SceneView::draw() {
   ++number_;
   if (is_requested_ || !isVisible()) return;
-  // Changes of one turn of the event loop are drawn together.
   is_requested_ = true;
   QMetaObject::invokeMethod(
       this,
@@ -207,6 +207,7 @@ ViewState SceneView::state() const {
   state.colours = view_colours(palette());
   if (has_grid_) add_grid(ground_grid(objects_->bounds), camera(), height(), palette(), state.overlay);
   add_handles(handles_, camera(), window_size(), palette(), state.overlay);
+  if (framing_) add_framing(*framing_, window_size(), palette(), state.overlay);
   if (gizmo_) state.overlay.push_back({gizmo_(camera(), window_size()), 2, 0, true});
   return state;
 }

@@ -80,6 +80,11 @@ class SceneView : public QWidget {
   void set_lasso(bool is_lasso) { is_lasso_ = is_lasso; }
   /// Makes boxes and lassos select occluded faces, too.
   void set_select_through(bool selects_through) { selects_through_ = selects_through; }
+  /// Draws the border and the thirds of an image of this aspect, width over height; none for no aspect.
+  void set_framing(std::optional<double> image_aspect) {
+    framing_ = image_aspect;
+    draw();
+  }
   /// Sets the render camera and its image's aspect ratio; without a camera none is drawn.
   void set_render_camera(const std::optional<transport::View>& camera, double aspect = 1.25);
 
@@ -181,6 +186,7 @@ class SceneView : public QWidget {
   bool has_grid_ = true;
   bool is_lasso_ = false;
   bool selects_through_ = false;
+  std::optional<double> framing_;  ///< aspect of the image whose border is drawn
   std::optional<transport::View> render_camera_;
   double render_aspect_ = 1.25;
   std::int64_t number_ = 0;    // of what is to be seen

@@ -29,7 +29,7 @@ class ViewCamera {
  public:
   /// Constructs a camera in front of the origin and slightly above.
   ViewCamera() = default;
-  /// Uses eye and target of a view, which must differ; its other parameters are ignored.
+  /// Uses eye and target of a view, which must differ, and its field of view; roll and lens are ignored.
   explicit ViewCamera(const transport::View& view);
 
   const grf::Vec3d& target() const { return target_; }

@@ -73,6 +73,25 @@ void add_grid(const GroundGrid& grid, const ViewCamera& camera, double height, c
   layers.push_back({std::move(corner), 2.5, 0, true});
 }
 
+void add_framing(double aspect, const grf::Vec2d& size, const QPalette& palette,
+                 std::vector<OverlayLayer>& layers) {
+  const QColor text = colours_of(theme_of(palette)).text;
+  const double width = size.y * aspect;
+  const double left = (size.x - width) / 2;
+  std::vector<OverlayLine> border, thirds;
+  for (int i = 0; i <= 3; ++i) {
+    const bool is_border = i % 3 == 0;
+    std::vector<OverlayLine>& lines = is_border ? border : thirds;
+    const QColor colour = with_alpha(text, is_border ? 0.7 : 0.3);
+    const double x = left + width * i / 3;
+    const double y = std::clamp(size.y * i / 3, 1.0, size.y - 1);  // the border is within the window
+    lines.push_back({{x, 0, 0}, {x, size.y, 0}, colour});
+    lines.push_back({{left, y, 0}, {left + width, y, 0}, colour});
+  }
+  layers.push_back({std::move(thirds), 1, 0, true});
+  layers.push_back({std::move(border), 1.5, 0, true});
+}
+
 void add_handles(const HandleGesture& gesture, const ViewCamera& camera, const grf::Vec2d& size,
                  const QPalette& palette, std::vector<OverlayLayer>& layers) {
   const Theme theme = theme_of(palette);

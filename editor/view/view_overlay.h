@@ -30,6 +30,11 @@ GroundGrid ground_grid(const grf::Box3d& bounds);
 void add_grid(const GroundGrid& grid, const ViewCamera& camera, double height, const QPalette& palette,
               std::vector<OverlayLayer>& layers);
 
+/// Adds the border of an image of this aspect, width over height, which is as high as the window, and its
+/// thirds.
+void add_framing(double aspect, const grf::Vec2d& size, const QPalette& palette,
+                 std::vector<OverlayLayer>& layers);
+
 /// Adds the handles in a window of that size, with the hovered one highlighted.
 void add_handles(const HandleGesture& gesture, const ViewCamera& camera, const grf::Vec2d& size,
                  const QPalette& palette, std::vector<OverlayLayer>& layers);

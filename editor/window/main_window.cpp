@@ -21,6 +21,7 @@
 #include "editor/brdf/live_sphere.h"
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/notice_bar.h"
+#include "editor/panels/camera_panel.h"
 #include "editor/panels/light_panel.h"
 #include "editor/panels/message_panel.h"
 #include "editor/panels/object_panel.h"
@@ -63,7 +64,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   // Notices about the former scene are hidden; those about the new one follow.
   connect(&document_, &Document::scene_replaced, notice_, &QWidget::hide);
   make_docks();
-  render_controller_ = new RenderController(document_, *view_, *render_, *this);
+  render_controller_ = new RenderController(document_, *view_, *render_, *cameras_, *this);
   view_controller_ = new ViewController(document_, catalogue_, *view_, *render_controller_, this);
   brdf_controller_ = new BrdfController(document_, *brdf_editor_, this);
   view_actions_ = new ViewActions(*view_, *this);
@@ -123,6 +124,7 @@ void MainWindow::make_docks() {
   tree_ = new SceneTree(document_);
   lights_ = new LightPanel(document_);
   object_ = new ObjectPanel(document_);
+  cameras_ = new CameraPanel(document_);
   surface_ = new SurfacePanel(document_, catalogue_);
   brdf_editor_ = new BrdfEditor;
   render_ = new RenderPanel(document_, jobs_);
@@ -136,6 +138,9 @@ void MainWindow::make_docks() {
   QDockWidget* object = docks_.add({"object", tr("Object"), "transform", QKeySequence("Ctrl+9"),
                                     tr("Position, rotation and scale of the selected object")},
                                    Qt::LeftDockWidgetArea, object_);
+  QDockWidget* cameras = docks_.add({"cameras", tr("Cameras"), "camera", QKeySequence("Ctrl+Alt+9"),
+                                     tr("Cameras of the scene: position, lens and focus")},
+                                    Qt::LeftDockWidgetArea, cameras_);
   QDockWidget* surface =
       docks_.add({"surface", tr("Surface"), "texture", QKeySequence("Ctrl+3"),
                   tr("Surface of the selected faces: BRDF, colour, texture, emission, normals")},
@@ -162,7 +167,8 @@ void MainWindow::make_docks() {
                                     Qt::LeftDockWidgetArea, steps);
   splitDockWidget(tree, lights, Qt::Vertical);
   tabifyDockWidget(lights, object);
-  tabifyDockWidget(object, history);
+  tabifyDockWidget(object, cameras);
+  tabifyDockWidget(cameras, history);
   lights->raise();
   splitDockWidget(surface, brdf_dock_, Qt::Vertical);
   tabifyDockWidget(render_dock_, message_dock_);
@@ -226,6 +232,10 @@ void MainWindow::connect_panels() {
   });
   connect(lights_, &LightPanel::aim_requested, this, &MainWindow::aim_light);
   connect(lights_, &LightPanel::highlight_requested, this, &MainWindow::light_highlight);
+  connect(cameras_, &CameraPanel::focus_requested, this, [this] {
+    view_controller_->pick({tr("Click what the camera shall focus on, or press Escape to cancel"),
+                            [this](const SurfacePoint& point) { cameras_->focus_on(point.position); }});
+  });
   connect(surface_, &SurfacePanel::bake_requested, bake_, &BakeController::bake);
   connect(messages_, &MessagePanel::place_requested, pages_, &Pages::show_source);
   connect(messages_, &MessagePanel::chosen, tree_,

@@ -16,6 +16,7 @@ namespace editor {
 
 class BakeController;
 class BrdfEditor;
+class CameraPanel;
 class BrdfController;
 class FileActions;
 class ImageBrowser;
@@ -117,6 +118,7 @@ class MainWindow : public QMainWindow {
   SceneTree* tree_ = nullptr;
   LightPanel* lights_ = nullptr;
   ObjectPanel* object_ = nullptr;
+  CameraPanel* cameras_ = nullptr;
   SurfacePanel* surface_ = nullptr;
   BrdfEditor* brdf_editor_ = nullptr;
   RenderPanel* render_ = nullptr;

@@ -5,7 +5,9 @@
 #include <QToolBar>
 
 #include "editor/controls/actions.h"
+#include "editor/document/render_camera.h"
 #include "editor/options/options_window.h"
+#include "editor/panels/camera_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 
@@ -17,10 +19,7 @@ namespace {
 
 RenderOptions with_camera(const OpDocument& document, const transport::View& camera) {
   RenderOptions now = document.valid_options();
-  now.eye = grf::Vec3f(camera.eye);
-  now.target = grf::Vec3f(camera.target);
-  now.up = camera.up;
-  now.field_of_view = camera.field_of_view;
+  place_render_camera(now, camera);
   return now;
 }
 
@@ -30,13 +29,21 @@ double aspect_of(const RenderOptions& render_options) {
 
 }  // namespace
 
-RenderController::RenderController(Document& document, SceneView& view, RenderPanel& panel, QWidget& window)
+RenderController::RenderController(Document& document, SceneView& view, RenderPanel& panel,
+                                   CameraPanel& cameras, QWidget& window)
     : QObject(&window), document_(document), view_(view), panel_(panel) {
   make_actions(window);
   connect(&document_, &Document::scene_replaced, this, &RenderController::take_scene);
   connect(&document_.options(), &OpDocument::changed, this, &RenderController::show_camera);
   connect(&panel_, &RenderPanel::options_requested, this, &RenderController::show_options);
   connect(&view_, &SceneView::camera_moved, this, &RenderController::follow_view);
+  connect(&cameras, &CameraPanel::add_requested, this,
+          [this, &cameras] { cameras.add(view_.camera().view()); });
+  connect(&cameras, &CameraPanel::place_requested, this,
+          [this, &cameras] { cameras.place(view_.camera().view()); });
+  connect(&cameras, &CameraPanel::look_requested, this,
+          [this](const transport::View& camera) { view_.set_camera(ViewCamera(camera)); });
+  connect(&cameras, &CameraPanel::render_camera_chosen, follow_, [this] { follow_->setChecked(false); });
 }
 
 RenderController::~RenderController() = default;
@@ -64,21 +71,19 @@ void RenderController::make_actions(QWidget& window) {
                               QKeySequence("Ctrl+0"),
                               tr("View the scene through the render camera")},
                              [this] { view_.set_camera(ViewCamera(camera())); });
+  framing_ = new_switch(window,
+                        {tr("Framing g&uides"),
+                         {},
+                         QKeySequence("Ctrl+Alt+G"),
+                         tr("Draw the border of the rendered image and its thirds over the 3D view")},
+                        false, [this](bool) { show_camera(); });
 }
 
-void RenderController::fill(QMenu& menu) { menu.addActions({follow_, from_view_, look_through_}); }
+void RenderController::fill(QMenu& menu) { menu.addActions({follow_, from_view_, look_through_, framing_}); }
 
 void RenderController::fill(QToolBar& bar) { bar.addActions({follow_, from_view_}); }
 
-transport::View RenderController::camera() const {
-  const RenderOptions& now = document_.options().valid_options();
-  auto view =
-      transport::view_of(document_.objects().bounds, now.field_of_view, static_cast<float>(aspect_of(now)));
-  view.up = now.up;
-  if (now.eye) view.eye = grf::Vec3d(*now.eye);
-  if (now.target) view.target = grf::Vec3d(*now.target);
-  return view;
-}
+transport::View RenderController::camera() const { return render_camera(document_); }
 
 void RenderController::move_camera(const transport::View& camera) {
   panel_.set_view(camera);
@@ -101,6 +106,8 @@ void RenderController::take_scene() {
 }
 
 void RenderController::show_camera() {
+  view_.set_framing(framing_->isChecked() ? std::optional(aspect_of(document_.options().valid_options()))
+                                          : std::nullopt);
   if (follow_->isChecked() || document_.objects().faces == 0) return view_.set_render_camera({});
   view_.set_render_camera(camera(), aspect_of(document_.options().valid_options()));
 }

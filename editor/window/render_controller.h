@@ -13,6 +13,7 @@ class QWidget;
 
 namespace editor {
 
+class CameraPanel;
 class OptionsWindow;
 class RenderPanel;
 class SceneView;
@@ -24,7 +25,8 @@ class RenderController : public QObject {
 
  public:
   /// All outlive it; the window holds the actions.
-  RenderController(Document& document, SceneView& view, RenderPanel& panel, QWidget& window);
+  RenderController(Document& document, SceneView& view, RenderPanel& panel, CameraPanel& cameras,
+                   QWidget& window);
   ~RenderController() override;
 
   /// Adds the actions of the render camera.
@@ -53,6 +55,7 @@ class RenderController : public QObject {
   QAction* follow_ = nullptr;
   QAction* from_view_ = nullptr;
   QAction* look_through_ = nullptr;
+  QAction* framing_ = nullptr;
 };
 
 }  // namespace editor

@@ -16,17 +16,6 @@ using options::NamedCamera;
 using options::RenderOptions;
 using transport::View;
 
-View view_of(const NamedCamera& camera) {
-  View view;
-  view.eye = grf::Vec3d(camera.eye);
-  view.target = grf::Vec3d(camera.target);
-  view.up = camera.up;
-  view.field_of_view = camera.field_of_view;
-  view.lens_radius = camera.lens_radius;
-  view.focus_distance = camera.focus_distance;
-  return view;
-}
-
 const NamedCamera* find(const RenderOptions& render_options, const std::string& name) {
   const auto found = std::find_if(render_options.cameras.begin(), render_options.cameras.end(),
                                   [&](const NamedCamera& camera) { return camera.name == name; });
@@ -92,6 +81,17 @@ View along(const std::vector<NamedCamera>& cameras, double place, bool is_smooth
 }
 
 }  // namespace
+
+View view_of(const NamedCamera& camera) {
+  View view;
+  view.eye = grf::Vec3d(camera.eye);
+  view.target = grf::Vec3d(camera.target);
+  view.up = camera.up;
+  view.field_of_view = camera.field_of_view;
+  view.lens_radius = camera.lens_radius;
+  view.focus_distance = camera.focus_distance;
+  return view;
+}
 
 bool check_cameras(const RenderOptions& render_options, grf::Diagnostics& diagnostics) {
   if (!render_options.camera.empty() && find(render_options, render_options.camera) == nullptr) {

@@ -13,6 +13,9 @@ namespace job {
 /// Reports an error and returns false if not.
 bool check_cameras(const options::RenderOptions& render_options, grf::Diagnostics& diagnostics);
 
+/// Returns the view of a camera.
+transport::View view_of(const options::NamedCamera& camera);
+
 /// Returns the view of the camera that the options name, if it exists.
 std::optional<transport::View> named_view(const options::RenderOptions& render_options);
 
