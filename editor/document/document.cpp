@@ -316,10 +316,13 @@ void Document::light_by_plain_sky() {
   if (has_plain_sky_) set_background(PlainSky);
 }
 
+bool Document::has_plain_sky() const {
+  return has_plain_sky_ && options_.valid_options().background == PlainSky;
+}
+
 /// Removes the default sky if there is another emitter now; returns false if there is nothing to remove.
 bool Document::take_plain_sky() {
-  const bool is_replaced =
-      has_plain_sky_ && options_.valid_options().background == PlainSky && !emitters_of(*objects_).empty();
+  const bool is_replaced = has_plain_sky() && !emitters_of(*objects_).empty();
   if (is_replaced) set_background(grf::Vec3f(0));
   return is_replaced;
 }

@@ -59,6 +59,8 @@ class Document : public QObject {
   /// The render options: those of the OP file beside the scene, which is written when the scene is saved.
   OpDocument& options() { return options_; }
   const OpDocument& options() const { return options_; }
+  /// Whether the scene has no lights, so that its options have a grey sky until it has one.
+  bool has_plain_sky() const;
   /// The diagnostics of reading and checking the scene's file.
   const grf::Diagnostics& diagnostics() const { return diagnostics_; }
 

@@ -255,7 +255,10 @@ void RenderPanel::list_preview(PreviewState state) {
 
 void RenderPanel::toggle_preview() {
   settings_->commit();  // clicking a button does not take the focus
-  if (!preview_.is_on()) return restart_preview();
+  if (!preview_.is_on()) {
+    emit preview_starting();
+    return restart_preview();
+  }
   if (preview_.is_paused()) {
     preview_.resume();
   } else {

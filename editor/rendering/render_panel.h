@@ -47,6 +47,8 @@ class RenderPanel : public QWidget {
   QAction* options_action() const { return options_action_; }
 
  signals:
+  /// Emitted before a preview starts, which shows what the document has then.
+  void preview_starting();
   /// Requests the window of all options.
   void options_requested();
   /// Requests to open an image file in the image view.

@@ -191,7 +191,10 @@ void MainWindow::connect_files() {
     const std::size_t count = jobs_.jobs().size();
     docks_.action_of(job_dock_)->setText(count == 0 ? tr("Jobs") : tr("Jobs (%1)").arg(count));
   });
-  connect(&document_, &Document::scene_replaced, this, [this] { pages_->setCurrentIndex(0); });
+  connect(&document_, &Document::scene_replaced, this, [this] {
+    pages_->setCurrentIndex(0);
+    refuses_studio_ = false;
+  });
   connect(&document_, &Document::path_changed, this, &MainWindow::show_title);
   connect(&document_, &Document::status_message, this, &MainWindow::show_status);
   connect(&document_, &Document::modified_changed, this, &MainWindow::show_title);
@@ -282,6 +285,7 @@ void MainWindow::connect_renders() {
   const auto show_render = [this] { Docks::show(render_dock_); };
   connect(render_->preview_action(), &QAction::triggered, this, show_render);
   connect(render_->render_action(), &QAction::triggered, this, show_render);
+  connect(render_, &RenderPanel::preview_starting, this, &MainWindow::light_first_preview);
   connect(render_, &RenderPanel::op_file_differs, this, [this](const QString& path) {
     notice_->show_notice(
         NoticeBar::Kind::Information,
@@ -295,6 +299,28 @@ void MainWindow::connect_renders() {
             }
           }}});
   });
+}
+
+/// A model from elsewhere has no lights, and a grey shape under a grey sky is no picture to judge materials
+/// by.
+void MainWindow::light_first_preview() {
+  if (!document_.has_plain_sky() || !document_.path().isEmpty() || refuses_studio_) return;
+  object_actions_->add_studio();
+  const int step = document_.undo_stack().index();
+  notice_->show_notice(
+      NoticeBar::Kind::Information,
+      tr("The model has no lights, so a studio was added to the scene: a floor, a soft box and a rim light."),
+      {{tr("Without the studio"), tr("Remove the studio, and render under a grey sky"), [this, step] {
+          refuses_studio_ = true;
+          if (document_.undo_stack().index() == step) document_.undo_stack().undo();
+        }}});
+  // What is edited afterwards is not undone with the studio.
+  connect(
+      &document_.undo_stack(), &QUndoStack::indexChanged, notice_,
+      [this, text = notice_->text()] {
+        if (notice_->text() == text) notice_->hide();
+      },
+      Qt::SingleShotConnection);
 }
 
 void MainWindow::show_scene() {

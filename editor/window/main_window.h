@@ -87,6 +87,7 @@ class MainWindow : public QMainWindow {
   void connect_files();
   void connect_panels();
   void connect_renders();
+  void light_first_preview();
   void aim_light();
   void light_highlight();
   void show_title();
@@ -138,6 +139,7 @@ class MainWindow : public QMainWindow {
   BakeController* bake_;
   RecoveryController* recovery_;
   ImageController* images_ = nullptr;
+  bool refuses_studio_ = false;  ///< for the model that was imported
   QMenu* image_menu_ = nullptr;  ///< shown once there are images
 };
 

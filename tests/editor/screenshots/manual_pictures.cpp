@@ -14,6 +14,7 @@
 #include "editor/image/image_browser.h"
 #include "editor/image/screen_controls.h"
 #include "editor/options/options_window.h"
+#include "editor/panels/camera_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_windows.h"
 #include "editor/window/viewer_window.h"
@@ -70,6 +71,19 @@ QPixmap placing() {
   stage.orbit(0.3, 0, 1);
   stage.select_patch({0.44, 0.56}, 0);
   stage.dock("object");
+  stage.settle();
+  return stage.picture();
+}
+
+QPixmap cameras() {
+  Stage stage({1280, 800});
+  stage.open(Samples + "teapot/scene.grf");
+  stage.act("Look through the camera");
+  auto& panel = *stage.dock("cameras").findChild<editor::CameraPanel*>();
+  const transport::View camera = stage.window().view().camera().view();
+  panel.add(camera);
+  panel.focus_on(camera.target);
+  stage.act("Framing guides");
   stage.settle();
   return stage.picture();
 }
@@ -206,6 +220,7 @@ std::vector<Picture> manual_pictures() {
       {"scene", [] { return dock_with_models("scene"); }},
       {"lights", lights_dock},
       {"placing", placing},
+      {"cameras", cameras},
       {"surface", [] { return dock_with_models("surface"); }},
       {"brdf_sphere", [] { return brdf_dock(BrdfEditor::View::Sphere); }},
       {"brdf_lobe", [] { return brdf_dock(BrdfEditor::View::Lobe); }},

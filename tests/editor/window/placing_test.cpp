@@ -1,4 +1,5 @@
 // Places objects through the whole window, by pointer and keyboard.
+#include <QAbstractButton>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QGuiApplication>
@@ -14,6 +15,7 @@
 #include "editor/controls/number_box.h"
 #include "editor/document/object_placement.h"
 #include "editor/panels/scene_tree.h"
+#include "editor/rendering/render_panel.h"
 #include "editor/view/screen_geometry.h"
 #include "editor/window/docks.h"
 #include "grf/write.h"
@@ -107,6 +109,37 @@ TEST_F(Placing, RotatesByFourQuarterTurnsToTheSameBytes) {
   type("ry45");
   EXPECT_NEAR(bounds().size().x, std::sqrt(2), 1e-6) << "a cube turned by 45 degrees";
   EXPECT_LT((bounds().center() - Vec3d(0.8, 0.5, 0.5)).length(), 1e-6) << "about its centre";
+}
+
+TEST_F(Placing, LightsTheFirstPreviewOfAModelByAStudio) {
+  std::ofstream(folder_.path("cube.obj")) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+  open(path("cube.obj"));
+  ASSERT_TRUE(document().has_plain_sky());
+  QTest::keyClick(&window_, Qt::Key_F5);
+  EXPECT_EQ(document().objects().lights.size(), 2U);
+  EXPECT_EQ(document().objects().meshes.size(), 2U) << "with a floor";
+  EXPECT_FALSE(document().has_plain_sky());
+  auto& notice = *window_.findChild<NoticeBar*>();
+  EXPECT_TRUE(notice.isVisible());
+  QTest::keyClick(&window_, Qt::Key_F5);  // pauses
+  QTest::keyClick(&window_, Qt::Key_F5);
+  EXPECT_EQ(document().objects().lights.size(), 2U) << "one studio";
+  for (auto* choice : notice.findChildren<QAbstractButton*>()) {
+    if (choice->text() == "Without the studio") QTest::mouseClick(choice, Qt::LeftButton);
+  }
+  EXPECT_TRUE(document().objects().lights.empty());
+  EXPECT_TRUE(document().has_plain_sky());
+  EXPECT_FALSE(notice.isVisible());
+  window_.render_panel().stop_action()->trigger();
+  QTest::keyClick(&window_, Qt::Key_F5);
+  EXPECT_TRUE(document().objects().lights.empty()) << "it was refused";
+}
+
+TEST_F(Placing, LeavesScenesOfTheirOwnWithoutAStudio) {
+  open_text(cube("left", 0, 0, 0));
+  ASSERT_TRUE(document().has_plain_sky());
+  QTest::keyClick(&window_, Qt::Key_F5);
+  EXPECT_TRUE(document().objects().lights.empty());
 }
 
 TEST_F(Placing, ScalesByATypedFactorAlongAnAxis) {
