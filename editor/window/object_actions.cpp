@@ -6,6 +6,7 @@
 #include <QToolBar>
 
 #include "editor/controls/actions.h"
+#include "editor/document/apply_transforms.h"
 #include "editor/document/studio.h"
 #include "editor/view/gizmo_input.h"
 #include "editor/view/scene_view.h"
@@ -157,6 +158,11 @@ void ObjectActions::make_placements() {
                     tr("Remove position, rotation and scale of the selected objects"),
                     [this](grf::Diagnostics& diagnostics) {
                       return reset_transforms(document_.scene(), document_.selected_objects(), diagnostics);
+                    }),
+      add_placement(tr("Apply trans&form"), {},
+                    tr("Apply position, rotation and scale of the selected objects to their vertices"),
+                    [this](grf::Diagnostics& diagnostics) {
+                      return apply_transforms(document_.scene(), document_.selected_objects(), diagnostics);
                     })};
   for (int axis = 0; axis < 3; ++axis) {
     mirrors_.append(new_action(window_,
