@@ -307,6 +307,37 @@ std::optional<TransformedObjects> drop_to_floor(const grf::Scene& scene, const S
   return translate_each(scene, paths, 1, distances, diagnostics);
 }
 
+std::optional<TransformedObjects> place_on_surface(const grf::Scene& scene, const SceneObjects& objects,
+                                                   const std::vector<grf::ScenePath>& paths,
+                                                   const Vec3d& point, const std::optional<Vec3d>& normal,
+                                                   grf::Diagnostics& diagnostics) {
+  grf::Box3d box;
+  for (const grf::ScenePath& block : moved_blocks(scene, paths)) box.extendBy(object_bounds(objects, block));
+  if (box.isEmpty()) {
+    diagnostics.error({}, "the selected objects have no size, so that they cannot stand on a surface");
+    return std::nullopt;
+  }
+  const double size = box.size().length();
+  const Vec3d base = rounded({box.center().x, box.min.y, box.center().z}, size);
+  TransformedObjects placed{scene, paths};
+  const Vec3d axis = normal ? Vec3d(0, 1, 0).cross(*normal) : Vec3d(0);
+  const double degrees = normal ? std::atan2(axis.length(), normal->y) * 180 / std::numbers::pi : 0;
+  if (degrees > 1e-4) {
+    TransformAction turn;
+    turn.kind = Kind::Rotation;
+    // Upside down, any horizontal axis will do.
+    turn.value = axis.length() > 1e-6 ? axis.normalized() : Vec3d(0, 0, 1);
+    turn.degrees = degrees;
+    turn.pivot = base;
+    auto turned = transform_objects(placed.scene, placed.paths, turn, diagnostics);
+    if (!turned) return std::nullopt;
+    placed = std::move(*turned);
+  }
+  TransformAction move;
+  move.value = rounded(point, size) - base;
+  return transform_objects(placed.scene, placed.paths, move, diagnostics);
+}
+
 std::optional<TransformedObjects> reset_transforms(const grf::Scene& scene,
                                                    const std::vector<grf::ScenePath>& paths,
                                                    grf::Diagnostics& diagnostics) {

@@ -64,6 +64,13 @@ std::optional<TransformedObjects> distribute_objects(const grf::Scene& scene, co
 std::optional<TransformedObjects> drop_to_floor(const grf::Scene& scene, const SceneObjects& objects,
                                                 const std::vector<grf::ScenePath>& paths,
                                                 grf::Diagnostics& diagnostics);
+/// Translates objects together so that the middle of the lowest side of their bounds is at a point; with a
+/// unit normal they are rotated first, so that what was upward (+y) is along it.
+std::optional<TransformedObjects> place_on_surface(const grf::Scene& scene, const SceneObjects& objects,
+                                                   const std::vector<grf::ScenePath>& paths,
+                                                   const grf::Vec3d& point,
+                                                   const std::optional<grf::Vec3d>& normal,
+                                                   grf::Diagnostics& diagnostics);
 /// Removes the transforms of objects.
 std::optional<TransformedObjects> reset_transforms(const grf::Scene& scene,
                                                    const std::vector<grf::ScenePath>& paths,

@@ -211,6 +211,14 @@ void MainWindow::connect_panels() {
   connect(mesh_actions_, &MeshActions::failed, this, &MainWindow::fail);
   connect(material_actions_, &MaterialActions::status_message, this, &MainWindow::show_status);
   connect(material_actions_, &MaterialActions::failed, this, &MainWindow::fail);
+  connect(object_actions_, &ObjectActions::surface_requested, this, [this](bool is_along_normal) {
+    view_controller_->pick({tr("Click where the object shall stand, or press Escape to cancel"),
+                            [this, is_along_normal](const SurfacePoint& point) {
+                              object_actions_->place_on(point.position, is_along_normal
+                                                                            ? std::optional(point.normal)
+                                                                            : std::nullopt);
+                            }});
+  });
   connect(object_actions_, &ObjectActions::status_message, this, &MainWindow::show_status);
   connect(view_controller_, &ViewController::failed, this, &MainWindow::fail);
   connect(view_controller_, &ViewController::status_message, this, &MainWindow::show_status);

@@ -164,6 +164,20 @@ void ObjectActions::make_placements() {
                     [this](grf::Diagnostics& diagnostics) {
                       return apply_transforms(document_.scene(), document_.selected_objects(), diagnostics);
                     })};
+  placements_ +=
+      {new_action(window_,
+                  {tr("Place on a s&urface…"),
+                   {},
+                   QKeySequence("Ctrl+Shift+P"),
+                   tr("Click the point of a surface on which the selected objects shall stand")},
+                  [this] { emit surface_requested(false); }),
+       new_action(window_,
+                  {tr("Place along a norma&l…"),
+                   {},
+                   {},
+                   tr("Click the point of a surface on which the selected objects shall stand, along its "
+                      "normal")},
+                  [this] { emit surface_requested(true); })};
   for (int axis = 0; axis < 3; ++axis) {
     mirrors_.append(new_action(window_,
                                {tr("Along &%1").arg(AxisNames[axis]),
@@ -227,6 +241,13 @@ void ObjectActions::edit(const QString& text, const Edit& made) {
   } else if (diagnostics.error_count() > 0) {
     emit status_message(QString::fromStdString(diagnostics.entries().front().message));
   }
+}
+
+void ObjectActions::place_on(const grf::Vec3d& point, const std::optional<grf::Vec3d>& normal) {
+  edit(tr("Place on surface"), [&](grf::Diagnostics& diagnostics) {
+    return place_on_surface(document_.scene(), document_.objects(), document_.selected_objects(), point,
+                            normal, diagnostics);
+  });
 }
 
 void ObjectActions::mirror(int axis) {

@@ -34,7 +34,13 @@ class ObjectActions : public QObject {
   /// Adds a floor and two lights in proportion to the scene.
   void add_studio();
 
+  /// Places the selected objects on a point of a surface, see `place_on_surface`.
+  void place_on(const grf::Vec3d& point, const std::optional<grf::Vec3d>& normal);
+
  signals:
+  /// Emitted when the point of a surface shall be picked on which the selected objects are placed: along its
+  /// normal or upright.
+  void surface_requested(bool is_along_normal);
   void status_message(const QString& text);
 
  private:

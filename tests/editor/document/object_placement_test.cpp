@@ -189,4 +189,29 @@ TEST_F(ObjectPlacement, PivotIsTheCentreTheOriginTheActiveObjectOrTheWorld) {
   EXPECT_EQ(pivot_of(scene_, objects(), both, PivotPoint::World), Vec3d(0));
 }
 
+// A cube of side 1 about (0.5, 0.5, 0.5) stands on a wall that faces +x: its upper side comes to face +x.
+TEST(PlaceOnSurface, StandsUprightOrAlongANormal) {
+  const grf::Scene scene = scene_of(
+      "begin mesh begin vertexs (0,0,0) (1,0,0) (0,0,1) (1,0,1) (0,1,0) (1,1,0) (0,1,1) (1,1,1) end vertexs "
+      "begin faces "
+      "(0,1,3,2) (4,6,7,5) end faces end mesh\n");
+  const SceneObjects objects = objects_of(scene, "scene.grf");
+  const std::vector<grf::ScenePath> paths = {objects.instances->at(0).path};
+  grf::Diagnostics diagnostics;
+  const auto bounds_of = [](const TransformedObjects& placed) {
+    return object_bounds(objects_of(placed.scene, "scene.grf"), placed.paths.front());
+  };
+  const auto upright = place_on_surface(scene, objects, paths, {4, 2, 6}, std::nullopt, diagnostics);
+  ASSERT_TRUE(upright);
+  EXPECT_EQ(bounds_of(*upright).min, Vec3d(3.5, 2, 5.5));
+  EXPECT_EQ(bounds_of(*upright).max, Vec3d(4.5, 3, 6.5));
+  const auto on_wall = place_on_surface(scene, objects, paths, {4, 2, 6}, Vec3d(1, 0, 0), diagnostics);
+  ASSERT_TRUE(on_wall);
+  EXPECT_LT((bounds_of(*on_wall).min - Vec3d(4, 1.5, 5.5)).length(), 1e-6);
+  EXPECT_LT((bounds_of(*on_wall).max - Vec3d(5, 2.5, 6.5)).length(), 1e-6);
+  const auto on_ceiling = place_on_surface(scene, objects, paths, {4, 2, 6}, Vec3d(0, -1, 0), diagnostics);
+  ASSERT_TRUE(on_ceiling);
+  EXPECT_LT((bounds_of(*on_ceiling).max - Vec3d(4.5, 2, 6.5)).length(), 1e-6);
+}
+
 }  // namespace editor

@@ -142,6 +142,17 @@ TEST_F(Placing, LeavesScenesOfTheirOwnWithoutAStudio) {
   EXPECT_TRUE(document().objects().lights.empty());
 }
 
+TEST_F(Placing, StandsOnTheSurfaceThatIsClicked) {
+  open_text(cube("left", 0, 0, 0) + cube("right", 3, 0, 0));
+  click({0.5, 0.5, 1});
+  QTest::keyClick(&window_, Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+  window_.view().press(Qt::Key_7);  // from above
+  click({3.5, 1, 0.5});             // the top of the other one
+  EXPECT_NEAR(bounds().min.y, 1, 1e-6);
+  EXPECT_NEAR(bounds().center().x, 3.5, 0.05);
+  EXPECT_EQ(document().undo_stack().undoText(), "Place on surface");
+}
+
 TEST_F(Placing, ScalesByATypedFactorAlongAnAxis) {
   open_text(cube("left", 0, 0, 0) + cube("right", 3, 0, 0));
   click({0.5, 0.5, 1});
