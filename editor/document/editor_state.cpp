@@ -147,7 +147,8 @@ bool write_editor_state(const EditorState& state, const SceneObjects& objects, c
     face_sets[QString::fromStdString(name)] = json_of(faces, objects);
   }
   if (!face_sets.empty()) object["face_sets"] = face_sets;
-  return grf::replace_file(path.toStdString(), QJsonDocument(object).toJson().toStdString(), diagnostics);
+  return grf::replace_file(path.toStdString(),
+                           QJsonDocument(object).toJson(QJsonDocument::Compact).toStdString(), diagnostics);
 }
 
 }  // namespace editor
