@@ -4,7 +4,6 @@
 #include <QUndoCommand>
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -143,6 +142,8 @@ void Document::clear() { take({}, {}, {}); }
 void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, bool is_modified) {
   undo_stack_.clear();
   origin_ = revision();
+  state_ = {};
+  saved_state_ = {};
   set_saved(origin_);
   path_ = path;
   diagnostics_ = std::move(diagnostics);
@@ -152,6 +153,9 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   imports_.clear();
   has_plain_sky_ = false;
   show(std::move(scene));
+  state_ = read_editor_state(path_, *objects_, diagnostics_);
+  saved_state_ = state_;
+  emit editor_state_changed();
   options_.open_beside(path_);
   light_by_plain_sky();
   if (is_modified) set_saved(std::nullopt);
@@ -207,6 +211,8 @@ SaveRequest Document::save_request(const QString& path) {
           path,
           imports_,
           has_options ? std::optional(options_.snapshot()) : std::nullopt,
+          state_,
+          objects_,
           origin_,
           revision()};
 }
@@ -225,6 +231,7 @@ void Document::take_saved(const SaveResult& result) {
     show(std::move(scene));
     emit path_changed();
   }
+  saved_state_ = request.state;
   set_saved(request.revision);
   emit saved();
 }
@@ -233,6 +240,13 @@ void Document::select(FaceSelection selection) {
   if (selection == selection_) return;
   set_selection(std::move(selection));
   emit selection_changed();
+}
+
+void Document::set_editor_state(EditorState state) {
+  if (state == state_) return;
+  state_ = std::move(state);
+  set_saved(saved_);
+  emit editor_state_changed();
 }
 
 void Document::select_objects(std::vector<grf::ScenePath> paths) {
@@ -362,11 +376,14 @@ void Document::show_change(const Change& change, const QByteArray* selection,
   }
   bool selects = false;
   if (selection != nullptr || change.is_structural) {
-    FaceSelection now = selection != nullptr ? unpacked(*selection, *objects_) : carried_over(*before);
+    FaceSelection now = selection != nullptr
+                            ? unpacked(*selection, *objects_)
+                            : FaceCorrespondence(*before, *objects_).carried_over(selection_);
     selects = !(now == selection_);
     if (selects) set_selection(std::move(now));
   }
-  // Listeners find both selections as they are after the change.
+  const bool changes_state = change.is_structural && carry_state_over(*before);
+  // Listeners find the selections and the state as they are after the change.
   std::vector<grf::ScenePath> objects = selected_objects       ? *selected_objects
                                         : change.is_structural ? objects_carried_over(*before)
                                                                : *selected_objects_;
@@ -374,6 +391,15 @@ void Document::show_change(const Change& change, const QByteArray* selection,
   emit changed(change);
   if (selects) emit selection_changed();
   if (selects_objects) emit selected_objects_changed();
+  if (changes_state) emit editor_state_changed();
+}
+
+/// Returns whether the state differs now.
+bool Document::carry_state_over(const SceneObjects& before) {
+  EditorState carried = state_.carried_over(FaceCorrespondence(before, *objects_));
+  if (carried == state_) return false;
+  state_ = std::move(carried);
+  return true;
 }
 
 /// The selected objects that have the same meshes and lights at the same paths as before.
@@ -391,31 +417,6 @@ std::vector<grf::ScenePath> Document::objects_carried_over(const SceneObjects& b
   std::vector<grf::ScenePath> carried = *selected_objects_;
   std::erase_if(carried,
                 [&](const auto& path) { return contents(before, path) != contents(*objects_, path); });
-  return carried;
-}
-
-/// Transfers the selection to the new objects. Meshes correspond if they have the same geometry, else if they
-/// have the same path and number of faces.
-FaceSelection Document::carried_over(const SceneObjects& before) const {
-  FaceSelection carried(*objects_);
-  std::multimap<const grf::Geometry*, std::uint32_t> known;
-  std::map<grf::ScenePath, std::uint32_t> places;
-  for (std::uint32_t i = 0; i < before.meshes.size() && i < selection_.mesh_count(); ++i) {
-    known.emplace(&*before.meshes[i].mesh->geometry, i);
-    places.emplace(before.meshes[i].path, i);
-  }
-  for (std::uint32_t now = 0; now < objects_->meshes.size(); ++now) {
-    const MeshObject& object = objects_->meshes[now];
-    std::optional<std::uint32_t> match;
-    if (const auto same = known.find(&*object.mesh->geometry); same != known.end()) {
-      match = same->second;
-      known.erase(same);
-    } else if (const auto place = places.find(object.path); place != places.end()) {
-      match = place->second;
-    }
-    if (!match || before.meshes[*match].mesh->face_count() != object.mesh->face_count()) continue;
-    carried.set_faces(now, selection_.of_mesh(*match));
-  }
   return carried;
 }
 

@@ -11,6 +11,7 @@
 
 #include "editor/document/change.h"
 #include "editor/document/edit_stack.h"
+#include "editor/document/editor_state.h"
 #include "editor/document/face_selection.h"
 #include "editor/document/import_folder.h"
 #include "editor/document/object_placement.h"
@@ -48,11 +49,15 @@ class Document : public QObject {
   const FaceSelection& selection() const { return selection_; }
   /// The paths of the selected objects; the last one is the active one. Each leads to a block of the scene.
   const std::vector<grf::ScenePath>& selected_objects() const { return *selected_objects_; }
+  /// The hidden, locked and named faces, of `objects`. They are no undo steps: an edit, undo or redo keeps
+  /// those of meshes that are there before and after it.
+  const EditorState& editor_state() const { return state_; }
   /// The file that the scene was read from or saved to; empty if there is none.
   const QString& path() const { return path_; }
   /// The file name for titles; `Untitled` if there is none.
   QString name() const;
-  bool is_modified() const { return saved_ != revision(); }
+  /// Whether the scene or the editor's state differ from their files.
+  bool is_modified() const { return saved_ != revision() || !(state_ == saved_state_); }
   /// The number of the current state; undo and redo restore the number of their state.
   std::uint64_t revision() const { return undo_stack_.revision(); }
   QUndoStack& undo_stack() { return undo_stack_; }
@@ -85,6 +90,8 @@ class Document : public QObject {
   void take_saved(const SaveResult& result);
 
   void select(FaceSelection selection);
+  /// Sets the hidden, locked and named faces, which must be of `objects`.
+  void set_editor_state(EditorState state);
   /// Selects objects; paths that lead to no block are left out.
   void select_objects(std::vector<grf::ScenePath> paths);
 
@@ -110,6 +117,8 @@ class Document : public QObject {
   void status_message(const QString& message);
   void selection_changed();
   void selected_objects_changed();
+  /// Emitted when faces were hidden, locked or named, or an edit renumbered such faces.
+  void editor_state_changed();
   void path_changed();
   /// Emitted when another scene was opened, imported, recovered or started.
   void scene_replaced();
@@ -140,7 +149,7 @@ class Document : public QObject {
                    const std::optional<std::vector<grf::ScenePath>>& selected_objects);
   void set_selection(FaceSelection selection);
   const QByteArray& packed_selection();
-  FaceSelection carried_over(const SceneObjects& before) const;
+  bool carry_state_over(const SceneObjects& before);
   bool set_selected_objects(std::vector<grf::ScenePath> paths);
   std::vector<grf::ScenePath> objects_carried_over(const SceneObjects& before) const;
   Change change_of(const ScenePatch& patch) const;
@@ -149,6 +158,8 @@ class Document : public QObject {
   std::shared_ptr<const SceneObjects> objects_ = std::make_shared<const SceneObjects>();
   FaceSelection selection_;
   QByteArray packed_selection_;  ///< of `selection_`; empty until a step needs it
+  EditorState state_;
+  EditorState saved_state_;  ///< that of its file
   grf::Shared<std::vector<grf::ScenePath>> selected_objects_;
   QString path_;
   grf::Diagnostics diagnostics_;

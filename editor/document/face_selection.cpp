@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <unordered_set>
 
 #include "grf/summary.h"
@@ -186,6 +187,36 @@ bool FaceSelection::fits(const SceneObjects& objects) const {
     if (objects.meshes[i].mesh->face_count() != faces_[i].size()) return false;
   }
   return true;
+}
+
+FaceCorrespondence::FaceCorrespondence(const SceneObjects& before, const SceneObjects& now)
+    : now_(&now), before_of_(now.meshes.size()) {
+  std::multimap<const grf::Geometry*, std::uint32_t> known;
+  std::map<grf::ScenePath, std::uint32_t> places;
+  for (std::uint32_t i = 0; i < before.meshes.size(); ++i) {
+    known.emplace(&*before.meshes[i].mesh->geometry, i);
+    places.emplace(before.meshes[i].path, i);
+  }
+  for (std::uint32_t i = 0; i < now.meshes.size(); ++i) {
+    const MeshObject& object = now.meshes[i];
+    std::optional<std::uint32_t> match;
+    if (const auto same = known.find(&*object.mesh->geometry); same != known.end()) {
+      match = same->second;
+      known.erase(same);
+    } else if (const auto place = places.find(object.path); place != places.end()) {
+      match = place->second;
+    }
+    if (match && before.meshes[*match].mesh->face_count() == object.mesh->face_count()) before_of_[i] = match;
+  }
+}
+
+FaceSelection FaceCorrespondence::carried_over(const FaceSelection& selection) const {
+  FaceSelection carried(*now_);
+  for (std::uint32_t i = 0; i < before_of_.size(); ++i) {
+    const auto before = before_of_[i];
+    if (before && *before < selection.mesh_count()) carried.set_faces(i, selection.of_mesh(*before));
+  }
+  return carried;
 }
 
 grf::Box3d bounds_of(const SceneObjects& objects, const FaceSelection& selection) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <boost/dynamic_bitset.hpp>
@@ -67,6 +68,21 @@ class FaceSelection {
   std::vector<Faces> faces_;
   std::vector<std::size_t> counts_;  ///< per mesh
   std::size_t count_ = 0;
+};
+
+/// The correspondence of meshes before and after an edit. Meshes correspond if they have the same geometry,
+/// else if they have the same path and number of faces.
+class FaceCorrespondence {
+ public:
+  /// Both objects must exist as long as this one.
+  FaceCorrespondence(const SceneObjects& before, const SceneObjects& now);
+
+  /// Returns the same faces after the edit. Faces of meshes that are new are not selected.
+  FaceSelection carried_over(const FaceSelection& selection) const;
+
+ private:
+  const SceneObjects* now_;
+  std::vector<std::optional<std::uint32_t>> before_of_;  ///< index of the mesh before, per mesh now
 };
 
 /// The bounds of the selected faces in world space, in all instances; empty if there are none.

@@ -38,6 +38,9 @@ SaveResult write(SaveRequest request) {
     result.is_done = text.has_value();
     if (text) result.options = std::move(*text);
   }
+  if (result.is_done) {
+    result.is_done = write_editor_state(request.state, *request.objects, request.path, diagnostics);
+  }
   result.request = std::move(request);
   return result;
 }

@@ -4,9 +4,11 @@
 #include <QStringList>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "editor/document/editor_state.h"
 #include "editor/document/import_folder.h"
 #include "editor/document/op_document.h"
 #include "grf/diagnostics.h"
@@ -21,6 +23,8 @@ struct SaveRequest {
   QString path;                                 ///< of the file to be written
   ImportFolders imports;                        ///< images in these are copied beside that file
   std::optional<OpDocument::Snapshot> options;  ///< written, too
+  EditorState state;                            ///< written, too
+  std::shared_ptr<const SceneObjects> objects;  ///< those of the state
   std::uint64_t origin = 0;                     ///< the revision with which the document set the scene
   std::uint64_t revision = 0;                   ///< of the document in this state
 };

@@ -1,0 +1,45 @@
+// What the editor keeps of a scene besides the scene itself: hidden, locked and named sets of faces, and
+// their file SCENE.grf.editor.json.
+#pragma once
+
+#include <QString>
+#include <map>
+#include <string>
+
+#include "editor/document/face_selection.h"
+#include "grf/diagnostics.h"
+
+namespace editor {
+
+/// Sets of faces that are no part of the scene. All sets are of the same objects.
+struct EditorState {
+  FaceSelection hidden;
+  FaceSelection locked;
+  std::map<std::string, FaceSelection> face_sets;  ///< by name
+
+  EditorState() = default;
+  /// Constructs empty sets, without named ones.
+  explicit EditorState(const SceneObjects& objects) : hidden(objects), locked(objects) {}
+
+  /// Whether no face is hidden or locked, and there is no named set.
+  bool empty() const { return hidden.empty() && locked.empty() && face_sets.empty(); }
+  /// Returns the state for the objects after an edit.
+  EditorState carried_over(const FaceCorrespondence& correspondence) const;
+
+  bool operator==(const EditorState&) const = default;
+};
+
+/// The path of the editor's file beside a scene, SCENE.grf.editor.json.
+QString editor_file_beside(const QString& scene_path);
+
+/// Reads the editor's file beside a scene; without one the state is empty. A file that cannot be read, or
+/// that describes other meshes than the scene has, is one warning: what fits is read.
+EditorState read_editor_state(const QString& scene_path, const SceneObjects& objects,
+                              grf::Diagnostics& diagnostics);
+
+/// Replaces the editor's file beside a scene atomically, or removes it if the state is empty. Returns false
+/// after an error.
+bool write_editor_state(const EditorState& state, const SceneObjects& objects, const QString& scene_path,
+                        grf::Diagnostics& diagnostics);
+
+}  // namespace editor
