@@ -7,6 +7,7 @@
 
 #include "editor/controls/actions.h"
 #include "editor/document/document.h"
+#include "editor/document/face_query.h"
 #include "editor/view/scene_view.h"
 
 namespace editor {
@@ -72,23 +73,23 @@ void SelectionActions::make_angles() {
 }
 
 void SelectionActions::make_likenesses() {
-  const auto add_similar = [this](const QString& text, SimilarBy by, const QString& tip,
+  const auto add_similar = [this](const QString& text, const Similarity& by, const QString& tip,
                                   const QKeySequence& keys = {}) {
     similar_.append(add(text, keys, tip, [this, by](const FaceSelection& selection) {
       return select_similar(selection, document_.objects(), by);
     }));
   };
-  add_similar(tr("&BRDF"), SimilarBy::Brdf, tr("Select all faces with the same BRDF as a selected one"),
+  add_similar(tr("&BRDF"), {.brdf = true}, tr("Select all faces with the same BRDF as a selected one"),
               QKeySequence("Ctrl+Shift+B"));
-  add_similar(tr("&Sampling"), SimilarBy::Pdf,
+  add_similar(tr("&Sampling"), {.pdf = true},
               tr("Select all faces with the same sampling scheme as a selected one"));
-  add_similar(tr("&Colour"), SimilarBy::Colour,
-              tr("Select all faces with the same colour as a selected one"));
-  add_similar(tr("&Texture"), SimilarBy::Texture,
+  add_similar(tr("&Colour"), {.colour = true}, tr("Select all faces with the same colour as a selected one"));
+  add_similar(tr("&Texture"), {.texture = true},
               tr("Select all faces with the same texture as a selected one"));
-  add_similar(tr("&Emission"), SimilarBy::Emission,
+  add_similar(tr("&Emission"), {.emission = true},
               tr("Select all faces with the same emission as a selected one"));
-  add_similar(tr("&All"), SimilarBy::All, tr("Select all faces with the same surface as a selected one"));
+  add_similar(tr("&All"), Similarity::of_surface(),
+              tr("Select all faces with the same surface as a selected one"));
 }
 
 void SelectionActions::make_gestures(SceneView& view) {
