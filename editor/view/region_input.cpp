@@ -204,17 +204,26 @@ void RegionInput::close_polygon() {
 }
 
 void RegionInput::draw(QPainter& painter) const {
+  // A dark halo keeps the lines apart from selected faces, which have the same colour.
+  const QPen line = painter.pen();
+  painter.setPen(QPen(QColor(0, 0, 0, 140), line.widthF() + 2.5));
+  draw_lines(painter);
+  painter.setPen(line);
+  draw_lines(painter);
+}
+
+void RegionInput::draw_lines(QPainter& painter) const {
   if (*tool_ == Tool::Brush) {
     if (pointer_) painter.drawEllipse(*pointer_, radius_, radius_);
     return;
   }
   if (corners_.isEmpty()) return;
-  QPolygonF line = corners_;
-  if (pointer_) line << *pointer_;
-  painter.drawPolyline(line);
+  QPolygonF outline = corners_;
+  if (pointer_) outline << *pointer_;
+  painter.drawPolyline(outline);
   for (const QPointF& corner : corners_) painter.drawEllipse(corner, 2.5, 2.5);
   painter.setPen(QPen(painter.pen().color(), painter.pen().widthF(), Qt::DashLine));
-  painter.drawLine(line.last(), line.first());
+  painter.drawLine(outline.last(), outline.first());
 }
 
 }  // namespace editor

@@ -59,6 +59,7 @@ class RegionInput : public QObject {
   void paint_with_brush();
   void close_polygon();
   void draw(QPainter& painter) const;
+  void draw_lines(QPainter& painter) const;
 
   SceneView& view_;
   std::optional<Tool> tool_;
