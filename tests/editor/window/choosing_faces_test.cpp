@@ -97,6 +97,10 @@ TEST_F(ChoosingFaces, BrushPaintsAndTakesAway) {
   EXPECT_THAT(selected(), ElementsAre(0, 50, 51, 55, 56, 57, 58, 59)) << "adds without Shift";
   test::drag(view(), pixel(-0.8, 3), pixel(-0.8, 4));
   EXPECT_EQ(view().camera(), camera) << "the background is painted, too, and no orbit begins";
+  ASSERT_EQ(document().selected_objects().size(), 1U);
+  const QPoint arrow = pixel(5, 5) + QPoint(60, 0);  // of the gizmo that is there without the brush
+  test::drag(view(), arrow, arrow + QPoint(40, 0));
+  EXPECT_GT(selected().size(), 8U);
   QTest::keyClick(&view(), Qt::Key_Escape);
   EXPECT_FALSE(test::action(window_, "Brush").isChecked());
   click(3.5, 3.5);
