@@ -212,7 +212,7 @@ FaceSelection with_surface(const FaceQuery& query, const FaceSelection& selected
 
 FaceSelection find_faces(const FaceQuery& query, const FaceSelection& selected, const SceneObjects& objects) {
   if (!query.similarity.empty() && selected.empty()) return FaceSelection(objects);
-  const FaceSelection candidates = with_surface(query, selected, objects);
+  FaceSelection candidates = with_surface(query, selected, objects);
   if (!query.is_geometric()) return candidates;
   const GeometricQuery conditions = geometric_query(query, selected, objects);
   FaceSelection result(objects);
