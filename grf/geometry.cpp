@@ -35,6 +35,8 @@ struct GeometryFacts : Geometry {
   Found<VertexTree> vertices;
   Found<Triangulation> triangulation;
   Found<Topology> topology;
+  Found<SharedEdges> edges;
+  Found<std::vector<Vec3f>> area_vectors;
   Found<double> area;
 };
 
@@ -115,6 +117,20 @@ const Triangulation& SharedGeometry::triangulation() const {
 
 const Topology& SharedGeometry::topology() const {
   return facts().topology.or_find([this] { return topology_of(facts()); });
+}
+
+const SharedEdges& SharedGeometry::edges() const {
+  return facts().edges.or_find([this] { return SharedEdges(facts(), first_at_position(facts())); });
+}
+
+const std::vector<Vec3f>& SharedGeometry::area_vectors() const {
+  return facts().area_vectors.or_find([this] {
+    std::vector<Vec3f> vectors;
+    vectors.reserve(facts().face_count());
+    for (std::size_t face = 0; face < facts().face_count(); ++face)
+      vectors.emplace_back(doubled_area_vector(facts(), face, {}));
+    return vectors;
+  });
 }
 
 double SharedGeometry::area() const {

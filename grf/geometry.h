@@ -15,6 +15,7 @@ namespace grf {
 
 struct Topology;
 struct GeometryFacts;
+class SharedEdges;
 class VertexTree;
 
 /// Returns whether an array's spare capacity is worth a copy to free it.
@@ -137,6 +138,10 @@ class SharedGeometry {
   const VertexTree& vertices() const;  ///< with the bounds of the geometry
   const Triangulation& triangulation() const;
   const Topology& topology() const;
+  /// Returns the edges between places: vertices at the same position count as one.
+  const SharedEdges& edges() const;
+  /// Returns `doubled_area_vector` of each face, untransformed.
+  const std::vector<Vec3f>& area_vectors() const;
   double area() const;  ///< of all faces, untransformed
 
   /// Returns whether both share the same data, which takes no comparison of values.

@@ -3,30 +3,55 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <unordered_set>
 
-#include "grf/summary.h"
 #include "grf/topology.h"
 
 namespace editor {
 namespace {
 
+template <class Action>
+void for_each_edge_of(const grf::SharedGeometry& geometry, std::size_t face, const Action& action) {
+  const grf::SharedEdges& edges = geometry.edges();
+  for (std::uint32_t corner = geometry->face_offsets[face]; corner < geometry->face_offsets[face + 1];
+       ++corner) {
+    const std::uint32_t edge = edges.at_corner(corner);
+    if (edge != grf::SharedEdges::InvalidIndex) action(edge);
+  }
+}
+
+/// Calls a function with the half-edges of each edge between selected and unselected faces of a mesh.
+template <class Action>
+void for_each_border_edge(const FaceSelection& selection, const SceneObjects& objects, std::uint32_t mesh,
+                          const Action& action) {
+  const grf::SharedGeometry& geometry = objects.meshes[mesh].mesh->geometry;
+  // Each edge is visited once, as any number of faces can share it.
+  std::vector<bool> is_visited(geometry.edges().edge_count());
+  selection.for_each_face(mesh, [&](std::size_t face) {
+    for_each_edge_of(geometry, face, [&](std::uint32_t edge) {
+      if (is_visited[edge]) return;
+      is_visited[edge] = true;
+      const auto of_faces = geometry.edges().faces_at(edge);
+      const bool is_border = std::ranges::any_of(of_faces, [&](const grf::HalfEdge& of_face) {
+        return !selection.has({mesh, of_face.face});
+      });
+      if (is_border) action(of_faces);
+    });
+  });
+}
+
 /// Grows a selection over the edges of a mesh.
 class Spread {
  public:
-  Spread(std::uint32_t mesh, const grf::Mesh& geometry, FaceSelection& selection)
+  Spread(std::uint32_t mesh, const SceneObjects& objects, FaceSelection& selection)
       : mesh_(mesh),
-        geometry_(&geometry),
-        selection_(&selection),
-        edges_(*geometry.geometry, grf::first_at_position(*geometry.geometry)),
-        unselected_(edges_.edge_count()) {
-    for (std::uint32_t edge = 0; edge < edges_.edge_count(); ++edge) {
-      for (const grf::HalfEdge& of_face : edges_.faces_at(edge)) {
-        if (!selection.has({mesh, of_face.face})) ++unselected_[edge];
-      }
-    }
+        geometry_(&objects.meshes[mesh].mesh->geometry),
+        edges_(&geometry_->edges()),
+        selection_(&selection) {
+    unselected_.reserve(edges_->edge_count());
+    for (std::uint32_t edge = 0; edge < edges_->edge_count(); ++edge)
+      unselected_.push_back(static_cast<std::uint32_t>(edges_->faces_at(edge).size()));
     selection.for_each_face(mesh,
-                            [this](std::size_t face) { front_.push_back(static_cast<std::uint32_t>(face)); });
+                            [this](std::size_t face) { expand_from(static_cast<std::uint32_t>(face)); });
   }
 
   /// Breadth-first search from the selected faces over shared edges, as long as `admits(from, to)` is true.
@@ -35,80 +60,31 @@ class Spread {
     while (!front_.empty()) {
       const std::uint32_t from = front_.back();
       front_.pop_back();
-      for_each_edge_of(from, [&](std::uint32_t edge) {
+      for_each_edge_of(*geometry_, from, [&](std::uint32_t edge) {
         if (unselected_[edge] == 0) return;
-        for (const grf::HalfEdge& of_face : edges_.faces_at(edge)) {
+        for (const grf::HalfEdge& of_face : edges_->faces_at(edge)) {
           const std::uint32_t to = of_face.face;
-          if (!selection_->has({mesh_, to}) && admits(from, to)) select(to);
+          if (selection_->has({mesh_, to}) || !admits(from, to)) continue;
+          selection_->set({mesh_, to});
+          expand_from(to);
         }
       });
     }
   }
 
  private:
-  template <class Action>
-  void for_each_edge_of(std::uint32_t face, const Action& action) const {
-    for (std::uint32_t corner = geometry_->geometry->face_offsets[face];
-         corner < geometry_->geometry->face_offsets[face + 1]; ++corner) {
-      const std::uint32_t edge = edges_.at_corner(corner);
-      if (edge != grf::SharedEdges::InvalidIndex) action(edge);
-    }
-  }
-
-  void select(std::uint32_t face) {
-    selection_->set({mesh_, face});
-    for_each_edge_of(face, [this](std::uint32_t edge) { --unselected_[edge]; });
+  void expand_from(std::uint32_t face) {
+    for_each_edge_of(*geometry_, face, [this](std::uint32_t edge) { --unselected_[edge]; });
     front_.push_back(face);
   }
 
   std::uint32_t mesh_;
-  const grf::Mesh* geometry_;
+  const grf::SharedGeometry* geometry_;
+  const grf::SharedEdges* edges_;
   FaceSelection* selection_;
-  grf::SharedEdges edges_;
   std::vector<std::uint32_t> unselected_;  ///< number of unselected faces per edge
   std::vector<std::uint32_t> front_;       ///< selected faces that are still to be expanded
 };
-
-/// The compared attributes of a face: its surface as written, and the resolved values, since a name can
-/// resolve differently in another scope.
-struct SimilarityKey {
-  grf::Surface written;
-  grf::Surface meant;
-  std::vector<FlatTerm> terms;
-
-  bool operator==(const SimilarityKey&) const = default;
-};
-
-std::size_t hash_of(const SimilarityKey& key) {
-  std::size_t hash = grf::hash_value(key.written) + 31 * grf::hash_value(key.meant);
-  for (const FlatTerm& term : key.terms) {
-    grf::Surface of_term;
-    of_term.brdf = term.brdf;
-    hash = 31 * hash + grf::hash_value(of_term);
-  }
-  return hash;
-}
-
-SimilarityKey key_of(const grf::Surface& surface, const FlatSurface& flat_surface, SimilarBy by) {
-  const bool all = by == SimilarBy::All;
-  SimilarityKey key;
-  if (all || by == SimilarBy::Brdf) {
-    key.written.brdf = surface.brdf;
-    key.meant.brdf = flat_surface.brdf;
-    key.terms = flat_surface.terms;
-  }
-  if (all || by == SimilarBy::Pdf) key.written.pdf = surface.pdf;
-  if (all || by == SimilarBy::Colour) {
-    key.written.colour = surface.colour;
-    key.meant.colour = flat_surface.colour;
-  }
-  if (all || by == SimilarBy::Texture) {
-    key.written.texture = surface.texture;
-    key.meant.texture = grf::Reference{flat_surface.texture, {}};
-  }
-  if (all || by == SimilarBy::Emission) key.written.emission = surface.emission;
-  return key;
-}
 
 }  // namespace
 
@@ -170,6 +146,13 @@ void FaceSelection::invert() {
 void FaceSelection::add(const FaceSelection& other) {
   for (const std::uint32_t i : other.meshes()) {
     faces_[i] |= other.faces_[i];
+    count_faces(i);
+  }
+}
+
+void FaceSelection::intersect(const FaceSelection& other) {
+  for (const std::uint32_t i : meshes()) {
+    faces_[i] &= other.faces_[i];
     count_faces(i);
   }
 }
@@ -243,13 +226,7 @@ std::vector<bool> selected_surfaces(const SceneObjects& objects, const FaceSelec
 FaceSelection grown(const FaceSelection& selection, const SceneObjects& objects) {
   FaceSelection result = selection;
   for (const std::uint32_t i : selection.meshes()) {
-    const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    const auto edges = grf::half_edges_of(*mesh.geometry, grf::first_at_position(*mesh.geometry));
-    grf::for_each_edge(edges, [&](std::span<const grf::HalfEdge> of_faces) {
-      const bool is_selected = std::ranges::any_of(of_faces, [&](const grf::HalfEdge& edge) {
-        return selection.has({i, edge.face});
-      });
-      if (!is_selected) return;
+    for_each_border_edge(selection, objects, i, [&](std::span<const grf::HalfEdge> of_faces) {
       for (const grf::HalfEdge& edge : of_faces) result.set({i, edge.face});
     });
   }
@@ -257,19 +234,19 @@ FaceSelection grown(const FaceSelection& selection, const SceneObjects& objects)
 }
 
 FaceSelection shrunk(const FaceSelection& selection, const SceneObjects& objects) {
-  FaceSelection outside = selection;
-  outside.invert();
   FaceSelection result = selection;
-  result.remove(grown(outside, objects));
+  for (const std::uint32_t i : selection.meshes()) {
+    for_each_border_edge(selection, objects, i, [&](std::span<const grf::HalfEdge> of_faces) {
+      for (const grf::HalfEdge& edge : of_faces) result.set({i, edge.face}, false);
+    });
+  }
   return result;
 }
 
 FaceSelection connected(const FaceSelection& selection, const SceneObjects& objects) {
   FaceSelection result = selection;
-  for (const std::uint32_t i : selection.meshes()) {
-    const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    Spread(i, mesh, result).run([](std::uint32_t, std::uint32_t) { return true; });
-  }
+  for (const std::uint32_t i : selection.meshes())
+    Spread(i, objects, result).run([](std::uint32_t, std::uint32_t) { return true; });
   return result;
 }
 
@@ -278,42 +255,17 @@ FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objec
   const double least = std::cos(radians);
   for (const std::uint32_t i : selection.meshes()) {
     const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    std::vector<grf::Vec3d> normals;
-    for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-      normals.push_back(grf::doubled_area_vector(*mesh.geometry, face, {}).normalized());
-    }
+    const std::vector<grf::Vec3f>& areas = mesh.geometry.area_vectors();
+    const auto normal = [&](std::uint32_t face) { return grf::Vec3d(areas[face]).normalized(); };
     // Each face is compared with the selected face from which it was reached, so that gentle bends do not
     // accumulate.
     std::vector<std::uint32_t> seeds(mesh.face_count());
     for (std::uint32_t face = 0; face < seeds.size(); ++face) seeds[face] = face;
-    Spread(i, mesh, result).run([&](std::uint32_t from, std::uint32_t to) {
-      if (normals[seeds[from]].dot(normals[to]) < least) return false;
+    Spread(i, objects, result).run([&](std::uint32_t from, std::uint32_t to) {
+      if (normal(seeds[from]).dot(normal(to)) < least) return false;
       seeds[to] = seeds[from];
       return true;
     });
-  }
-  return result;
-}
-
-FaceSelection select_similar(const FaceSelection& selection, const SceneObjects& objects, SimilarBy by) {
-  std::unordered_set<SimilarityKey, decltype(&hash_of)> wanted(0, &hash_of);
-  for (const std::uint32_t i : selection.meshes()) {
-    const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    const std::vector<bool> is_used = selected_surfaces(objects, selection, i);
-    for (std::size_t k = 0; k < is_used.size(); ++k) {
-      if (is_used[k]) wanted.insert(key_of(mesh.surfaces[k], objects.meshes[i].flat_surfaces[k], by));
-    }
-  }
-  FaceSelection result(objects);
-  for (std::uint32_t i = 0; i < objects.meshes.size(); ++i) {
-    const grf::Mesh& mesh = *objects.meshes[i].mesh;
-    std::vector<bool> takes;
-    for (std::size_t k = 0; k < mesh.surfaces.size(); ++k) {
-      takes.push_back(wanted.contains(key_of(mesh.surfaces[k], objects.meshes[i].flat_surfaces[k], by)));
-    }
-    for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
-      if (takes[(*mesh.surface_of_face)[face]]) result.set({i, face});
-    }
   }
   return result;
 }

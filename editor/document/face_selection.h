@@ -56,9 +56,10 @@ class FaceSelection {
   void clear();
   void select_all();
   void invert();
-  /// Adds or removes the faces of another selection of the same objects.
+  /// Adds or removes the faces of another selection of the same objects, or keeps only those.
   void add(const FaceSelection& other);
   void remove(const FaceSelection& other);
+  void intersect(const FaceSelection& other);
 
   bool operator==(const FaceSelection&) const = default;
 
@@ -104,11 +105,5 @@ FaceSelection connected(const FaceSelection& selection, const SceneObjects& obje
 /// The connected faces whose normal deviates by at most so many radians from that of the selected face from
 /// which they were reached.
 FaceSelection coplanar(const FaceSelection& selection, const SceneObjects& objects, double radians);
-
-/// The attribute in which surfaces must agree to be similar.
-enum class SimilarBy { Brdf, Pdf, Colour, Texture, Emission, All };
-
-/// All faces of all meshes whose surface is similar to that of a selected one.
-FaceSelection select_similar(const FaceSelection& selection, const SceneObjects& objects, SimilarBy by);
 
 }  // namespace editor

@@ -125,8 +125,8 @@ QWidget* CameraPanel::make_form() {
     std::vector<Field> fields;
     for (int axis = 0; axis < 3; ++axis) {
       const QString letter = QString("xyz").mid(axis, 1);
-      fields.push_back({{tr("%1, %2").arg(label, letter), tr("%1: %2").arg(letter, help), -MostCameraNumber,
-                         MostCameraNumber},
+      fields.push_back({{tr("Camera: %1, %2").arg(label, letter), tr("%1: %2").arg(letter, help),
+                         -MostCameraNumber, MostCameraNumber},
                         [=](const View& shown) { return (shown.*field)[axis]; },
                         [=](View& changed, double number) { (changed.*field)[axis] = number; }});
     }

@@ -43,6 +43,7 @@ void GizmoInput::begin(ObjectGesture::Kind kind) {
 }
 
 std::vector<OverlayLine> GizmoInput::lines(const ViewCamera& camera, const grf::Vec2d& size) const {
+  if (view_.has_region_tool() && !gesture_.is_active()) return {};
   const QColor neutral = colours_of(theme_of(view_.palette())).text;
   std::vector<OverlayLine> result;
   for (const ObjectGesture::Line& line : gesture_.lines({camera, size})) {
@@ -94,7 +95,8 @@ bool GizmoInput::press(const QMouseEvent& event) {
     return true;
   }
   const bool is_selecting = event.modifiers() & (Qt::ShiftModifier | Qt::AltModifier);
-  if (event.button() != Qt::LeftButton || is_selecting || !gesture_.tool()) return false;
+  if (event.button() != Qt::LeftButton || is_selecting || !gesture_.tool() || view_.has_region_tool())
+    return false;
   const GizmoWindow window{view_.camera(), view_.window_size()};
   const auto part = gesture_.part_at(pixel_at(*pointer_), window);
   if (!part) return false;

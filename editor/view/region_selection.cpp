@@ -11,10 +11,10 @@ namespace {
 
 using grf::Vec3d;
 
-/// A mask of the pixels inside a polygon.
+/// A mask of the pixels inside a region.
 class Mask {
  public:
-  Mask(const QPolygonF& region, const QSize& size)
+  Mask(const QPainterPath& region, const QSize& size)
       : rectangle_(region.boundingRect().toAlignedRect().intersected(QRect(QPoint(), size))) {
     if (rectangle_.isEmpty()) return;
     image_ = QImage(rectangle_.size(), QImage::Format_Grayscale8);
@@ -23,7 +23,7 @@ class Mask {
     painter.translate(-rectangle_.topLeft());
     painter.setPen(Qt::NoPen);
     painter.setBrush(Qt::white);
-    painter.drawPolygon(region, Qt::OddEvenFill);
+    painter.drawPath(region);
   }
 
   const QRect& rectangle() const { return rectangle_; }
@@ -164,7 +164,14 @@ grf::Vec3d normal_at(const SceneObjects& objects, const std::vector<MeshShape>& 
   return normal.dot(ray.direction) > 0 ? -normal : normal;
 }
 
-FaceSelection visible_in_region(const ProjectedScene& scene, const QPolygonF& region,
+QPainterPath path_of(const QPolygonF& polygon) {
+  QPainterPath path;
+  path.addPolygon(polygon);
+  path.closeSubpath();
+  return path;
+}
+
+FaceSelection visible_in_region(const ProjectedScene& scene, const QPainterPath& region,
                                 const std::function<std::vector<FacePixel>(const QRect&)>& faces_in) {
   FaceSelection selection(scene.objects);
   const Mask mask(region, scene.size);
@@ -203,7 +210,7 @@ FaceSelection visible_in_region(const ProjectedScene& scene, const QPolygonF& re
   return selection;
 }
 
-FaceSelection all_in_region(const ProjectedScene& scene, const QPolygonF& region) {
+FaceSelection all_in_region(const ProjectedScene& scene, const QPainterPath& region) {
   FaceSelection selection(scene.objects);
   const Mask mask(region, scene.size);
   if (mask.empty()) return selection;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPainterPath>
 #include <QPolygonF>
 #include <QSize>
 #include <functional>
@@ -32,13 +33,16 @@ std::optional<SceneHit> intersect(const SceneObjects& objects, const std::vector
 grf::Vec3d normal_at(const SceneObjects& objects, const std::vector<MeshShape>& shapes, const ViewRay& ray,
                      const SceneHit& hit);
 
-/// The visible faces of a region of the image, whose corners are in pixels from the upper left: those that
+/// The region inside a closed polygon, by the even-odd rule.
+QPainterPath path_of(const QPolygonF& polygon);
+
+/// The visible faces of a region of the image, which is in pixels from the upper left: those that
 /// cover a pixel of it, and those smaller than a pixel whose centre is in the region and not occluded.
 /// `faces_in` returns the pixels of a rectangle, from the lower left.
-FaceSelection visible_in_region(const ProjectedScene& scene, const QPolygonF& region,
+FaceSelection visible_in_region(const ProjectedScene& scene, const QPainterPath& region,
                                 const std::function<std::vector<FacePixel>(const QRect&)>& faces_in);
 
 /// All faces whose centre is in the region, occluded or not.
-FaceSelection all_in_region(const ProjectedScene& scene, const QPolygonF& region);
+FaceSelection all_in_region(const ProjectedScene& scene, const QPainterPath& region);
 
 }  // namespace editor

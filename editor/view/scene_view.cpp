@@ -123,6 +123,13 @@ void SceneView::set_grid(bool is_shown) {
   draw();
 }
 
+void SceneView::set_tool_painter(const ToolPainter& painter) {
+  const bool hides_gizmo = static_cast<bool>(painter) != static_cast<bool>(tool_painter_);
+  tool_painter_ = painter;
+  if (hides_gizmo) draw();
+  update();
+}
+
 void SceneView::set_render_camera(const std::optional<transport::View>& camera, double image_aspect) {
   render_camera_ = camera;
   render_aspect_ = image_aspect;
@@ -236,6 +243,7 @@ void SceneView::paint_gesture(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(view_colours(palette()).accent, 1.5));
   if (gesture_ == Gesture::Region && !is_click_) painter.drawPolygon(region_.polygon());
+  if (tool_painter_) tool_painter_(painter);
   if (!shows_middle_ || !hasFocus()) return;
   const QPointF middle(width() / 2.0, height() / 2.0);
   for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
@@ -251,28 +259,7 @@ void SceneView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-// Picking
-
-grf::Vec2d SceneView::place_at(const QPointF& pixel) const {
-  return place_of_pixel(to_vector(pixel), window_size());
-}
-
-std::optional<SceneHit> SceneView::hit_at(const QPointF& pixel) const {
-  return intersect(*objects_, geometry_.shapes(), camera().ray(place_at(pixel), aspect()));
-}
-
-std::optional<FaceId> SceneView::face_at(const QPointF& pixel) const {
-  const std::optional<SceneHit> hit = hit_at(pixel);
-  return hit ? std::optional(hit->face) : std::nullopt;
-}
-
-std::optional<SurfacePoint> SceneView::surface_at(const QPointF& pixel) const {
-  const std::optional<SceneHit> hit = hit_at(pixel);
-  if (!hit) return std::nullopt;
-  const ViewRay ray = camera().ray(place_at(pixel), aspect());
-  return SurfacePoint{hit->face, ray.at(hit->distance), normal_at(*objects_, geometry_.shapes(), ray, *hit),
-                      ray.direction};
-}
+// Gestures
 
 void SceneView::tell_hovered() {
   const SceneHandle* handle = handles_.at(to_vector(hovered_at_), camera(), window_size());
@@ -288,8 +275,6 @@ void SceneView::leaveEvent(QEvent* event) {
   emit hovered({});
   QWidget::leaveEvent(event);
 }
-
-// Gestures
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
@@ -356,7 +341,8 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   } else if (gesture != Gesture::None && is_click_) {
     if (button_ == Qt::LeftButton) click(event->position(), event->modifiers());
   } else if (gesture == Gesture::Region) {
-    end_region(event->modifiers());
+    const QPolygonF drawn = region_.take();
+    if (drawn.size() >= 3) select_region(path_of(drawn), event->modifiers());
   }
   update();
 }
@@ -367,61 +353,6 @@ void SceneView::end_handle() {
   draw();
   if (!is_click_) emit object_moved(handle.id, handle.position);
   if (is_click_ && !handle.id.path.empty()) emit objects_picked({handle.id.path}, Qt::NoModifier);
-}
-
-void SceneView::end_region(Qt::KeyboardModifiers modifiers) {
-  const QPolygonF drawn = region_.take();
-  if (drawn.size() < 3) return;
-  ++number_;
-  pending_region_ = PendingRegion{number_, objects_, modifiers};
-  const bool has_faces = mode() != DisplayMode::Wireframe && mode() != DisplayMode::Points;
-  renderer_.select({state(), drawn, selects_through_ || !has_faces});
-}
-
-void SceneView::take_region(const FaceSelection& selected, std::int64_t state) {
-  if (!pending_region_ || pending_region_->state != state) return;
-  const PendingRegion order = *std::exchange(pending_region_, std::nullopt);
-  // Nothing is selected if the scene was replaced meanwhile.
-  if (order.objects != objects_) return;
-  make_selection(selected, order.modifiers);
-  std::vector<grf::ScenePath> picked;
-  for (const MeshInstance& instance : *objects_->instances) {
-    if (selected.count(instance.mesh) > 0) picked.push_back(instance.path);
-  }
-  emit objects_picked(picked, order.modifiers);
-}
-
-void SceneView::click(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
-  FaceSelection made(*objects_);
-  const auto hit = hit_at(pixel);
-  if (hit) made.set(hit->face);
-  // A click on the background with a modifier changes nothing.
-  if (!hit && modifiers != Qt::NoModifier) return;
-  make_selection(std::move(made), modifiers);
-  std::vector<grf::ScenePath> picked;
-  if (hit) picked.push_back((*objects_->instances)[hit->instance].path);
-  emit objects_picked(picked, modifiers);
-}
-
-void SceneView::toggle_middle() {
-  const auto hit = hit_at(QPointF(width() / 2.0, height() / 2.0));
-  if (!hit) return;
-  FaceSelection made = *selection_;
-  made.set(hit->face, !made.has(hit->face));
-  make_selection(std::move(made), Qt::NoModifier);
-}
-
-void SceneView::make_selection(FaceSelection made, Qt::KeyboardModifiers modifiers) {
-  if (modifiers.testFlag(Qt::ControlModifier)) {
-    FaceSelection all = *selection_;
-    all.remove(made);
-    made = std::move(all);
-  } else if (modifiers.testFlag(Qt::ShiftModifier)) {
-    made.add(*selection_);
-  }
-  if (made == *selection_) return;
-  set_selection(made);
-  emit selection_made(made);
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {

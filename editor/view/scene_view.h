@@ -1,6 +1,7 @@
 // The 3D view of a scene.
 #pragma once
 
+#include <QPainterPath>
 #include <QTimer>
 #include <QWidget>
 #include <functional>
@@ -34,7 +35,8 @@ struct SurfacePoint {
 /// evaluates boxes and lassos.
 ///
 /// Pointer: a click selects a face, a drag from a face those in a box (with Alt or `set_lasso` in a lasso);
-/// Shift adds, Ctrl removes. A drag from the background or with the middle button orbits, Shift and the
+/// Shift adds, Ctrl removes. A click with Alt selects the face loop through the nearest edge, with Ctrl and
+/// Alt the loop that crosses it. A drag from the background or with the middle button orbits, Shift and the
 /// middle button pan, the wheel zooms about the pointer, with the right button held the view turns and W A S
 /// D Q E fly. A double click sets the orbit centre.
 ///
@@ -78,7 +80,12 @@ class SceneView : public QWidget {
   void set_grid(bool is_shown);
   /// Makes a drag draw a lasso instead of a box.
   void set_lasso(bool is_lasso) { is_lasso_ = is_lasso; }
-  /// Makes boxes and lassos select occluded faces, too.
+  /// Sets what a tool that selects regions draws in front of the view, in logical pixels, and that gizmos
+  /// stand back for it; an empty function ends that.
+  using ToolPainter = std::function<void(QPainter& painter)>;
+  void set_tool_painter(const ToolPainter& painter);
+  bool has_region_tool() const { return static_cast<bool>(tool_painter_); }
+  /// Makes regions select occluded faces, too.
   void set_select_through(bool selects_through) { selects_through_ = selects_through; }
   /// Draws the border and the thirds of an image of this aspect, width over height; none for no aspect.
   void set_framing(std::optional<double> image_aspect) {
@@ -97,7 +104,7 @@ class SceneView : public QWidget {
   bool is_complete() const;
   /// Whether the image of the current scene is in full detail, perhaps not antialiased yet.
   bool is_full() const;
-  /// Whether a box or lasso selection is being evaluated.
+  /// Whether the faces of a region are being found.
   bool is_selecting() const { return pending_region_.has_value(); }
   /// The face that a click at this position of the widget would select.
   std::optional<FaceId> face_at(const QPointF& pixel) const;
@@ -105,6 +112,9 @@ class SceneView : public QWidget {
   std::optional<SurfacePoint> surface_at(const QPointF& pixel) const;
   /// Selects as a click at this position of the widget does.
   void click(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
+  /// Selects the faces in a region of the widget, with these modifiers of the pointer: Shift adds, Ctrl
+  /// removes. They are found in a thread; a new region replaces one that is still evaluated.
+  void select_region(const QPainterPath& region, Qt::KeyboardModifiers modifiers);
   /// The handles of lights, observers and the camera.
   const std::vector<SceneHandle>& handles() const { return handles_.handles(); }
 
@@ -112,6 +122,8 @@ class SceneView : public QWidget {
   void selection_made(const editor::FaceSelection& selection);
   /// Emitted with the objects under a click, in a box or in a lasso; the modifiers are those of the pointer.
   void objects_picked(const std::vector<grf::ScenePath>& paths, Qt::KeyboardModifiers modifiers);
+  /// Emitted once a region is evaluated.
+  void region_selected();
   void camera_moved();
   /// Emitted once a dragged object is released, with its new SceneHandle::position. An AreaLight's new corner
   /// is `position * to_world.inverse()`.
@@ -141,7 +153,7 @@ class SceneView : public QWidget {
 
  private:
   enum class Gesture { None, Navigation, Region, Handle };
-  /// A box or lasso to be evaluated.
+  /// A region to be evaluated.
   struct PendingRegion {
     std::int64_t state = 0;  ///< number of the view state
     std::shared_ptr<const SceneObjects> objects;
@@ -168,7 +180,6 @@ class SceneView : public QWidget {
   void begin_gesture(const QPointF& at, Qt::KeyboardModifiers modifiers);
   void cancel_gesture();
   void end_handle();
-  void end_region(Qt::KeyboardModifiers modifiers);
   void take_region(const FaceSelection& selected, std::int64_t state);
   void toggle_middle();
   void make_selection(FaceSelection made, Qt::KeyboardModifiers modifiers);
@@ -181,6 +192,7 @@ class SceneView : public QWidget {
   CameraNavigation navigation_;
   HandleGesture handles_;
   GizmoLines gizmo_;
+  ToolPainter tool_painter_;
   RegionGesture region_;
   ViewStyle style_;  // without colours
   bool has_grid_ = true;

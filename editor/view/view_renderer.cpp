@@ -2,6 +2,7 @@
 
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
+#include <QTransform>
 #include <chrono>
 #include <utility>
 
@@ -117,11 +118,11 @@ void ViewRenderer::select_in_thread(const ViewRegion& region) {
   if (drawing_ != nullptr) show_in_thread(region.state);
   const ViewState& state = drawing_ != nullptr ? drawing_->state() : region.state;
   const ProjectedScene projected{*state.objects, state.shapes, state.request.camera, state.size};
-  QPolygonF polygon;
-  for (const QPointF& corner : region.polygon) polygon << corner * state.screen.pixel_ratio;
+  const double ratio = state.screen.pixel_ratio;
+  const QPainterPath path = QTransform::fromScale(ratio, ratio).map(region.path);
   const FaceSelection selection = selects_through
-                                      ? all_in_region(projected, polygon)
-                                      : visible_in_region(projected, polygon, [this](const QRect& rectangle) {
+                                      ? all_in_region(projected, path)
+                                      : visible_in_region(projected, path, [this](const QRect& rectangle) {
                                           return drawing_->faces_in(rectangle);
                                         });
   QMetaObject::invokeMethod(

@@ -2,7 +2,7 @@
 
 #include <QImage>
 #include <QObject>
-#include <QPolygonF>
+#include <QPainterPath>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -25,10 +25,10 @@ struct ViewImage {
   bool is_done = false;    ///< fully antialiased
 };
 
-/// A box or a lasso, the view state in which it was drawn, and how it selects.
+/// A region of the image, the view state in which it was drawn, and how it selects.
 struct ViewRegion {
   ViewState state;
-  QPolygonF polygon;             ///< logical pixels from the upper left
+  QPainterPath path;             ///< logical pixels from the upper left
   bool selects_through = false;  ///< whether to select occluded faces, too
 };
 

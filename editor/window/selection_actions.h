@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QFuture>
 #include <QObject>
 #include <functional>
 
@@ -13,9 +14,11 @@ class QWidget;
 namespace editor {
 
 class Document;
+class FaceQueryDialog;
+class RegionInput;
 class SceneView;
 
-/// Actions that select faces, and the modes of a drag in the 3D view.
+/// Actions that select faces, and the tools that select regions of the 3D view.
 class SelectionActions : public QObject {
   Q_OBJECT
 
@@ -32,14 +35,20 @@ class SelectionActions : public QObject {
   void make_likenesses();
   void make_angles();
   void make_gestures(SceneView& view);
+  void make_tools(SceneView& view);
+  void open_query();
+  void find_edges();
 
   Document& document_;
   QWidget& window_;
+  QFuture<void> finding_;             ///< the edges of meshes
+  FaceQueryDialog* query_ = nullptr;  ///< created on first use
+  QAction* open_query_ = nullptr;
   QList<QAction*> whole_;  ///< all, none, invert
   QList<QAction*> neighbours_;
   QList<QAction*> similar_;
   QList<QAction*> angles_;
-  QList<QAction*> gestures_;
+  QList<QAction*> gestures_;  ///< lasso, tools, selecting through
 };
 
 }  // namespace editor

@@ -24,6 +24,8 @@ const char ListName[] = "shortcuts";
 constexpr std::pair<const char*, const char*> Gestures[] = {
     {"Click", "Select a face; with Shift add it, with Ctrl remove it"},
     {"Drag from a face", "Select the faces in a box, with Alt in a lasso"},
+    {"Alt + click", "Select the face loop through the nearest edge; with Ctrl the loop that crosses it"},
+    {"[ and ], Shift + wheel", "Change the radius of the brush"},
     {"Drag from the background, or middle button", "Orbit"},
     {"Shift + middle button", "Pan"},
     {"Wheel, + and -", "Zoom"},

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/document/document.h"
+#include "editor/document/face_query.h"
 
 namespace scaling {
 
@@ -20,7 +21,7 @@ void edit(const grf::Scene& scene, const std::string& path) {
   if (selection.mesh_count() > 0) selection.set_mesh(0);
   connected(selection, document.objects());
   grown(selection, document.objects());
-  select_similar(selection, document.objects(), editor::SimilarBy::All);
+  select_similar(selection, document.objects(), editor::Similarity::of_surface());
   selection.select_all();
   document.select(selection);
   selected_area(document.objects(), selection);

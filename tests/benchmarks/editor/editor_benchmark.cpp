@@ -215,6 +215,30 @@ void select(benchmark::State& state, Stage& stage) {
   });
 }
 
+/// A stroke of the brush across the view; its faces are found in the view's thread.
+void paint(benchmark::State& state, Stage& stage) {
+  SceneView& view = stage.window().view();
+  test::action(stage.window(), "Brush").trigger();
+  time(
+      state, stage,
+      [&] {
+        test::drag(view, view.rect().center() - QPoint(200, 0), view.rect().center() + QPoint(200, 0));
+        if (!QTest::qWaitFor([&] { return !view.is_selecting(); }, 10 * Minute))
+          state.SkipWithError("the stroke selects nothing");
+      },
+      [&] { test::action(stage.window(), "None").trigger(); });
+  test::action(stage.window(), "Brush").trigger();
+}
+
+/// A click that selects a face loop, and growing it.
+void select_loop(benchmark::State& state, Stage& stage) {
+  const QPoint middle = stage.window().view().rect().center();
+  time(state, stage, [&] {
+    stage.window().view().click(middle, Qt::AltModifier);
+    test::action(stage.window(), "Grow").trigger();
+  });
+}
+
 void rename(benchmark::State& state, Stage& stage) {
   int number = 0;
   const grf::ScenePath path = stage.document().objects().meshes[0].path;
@@ -329,6 +353,8 @@ void add_all(const Case& scene, Theatre& theatre) {
   add(scene, "open", 1, on_stage(open));
   add(scene, "slider", Tries, on_stage(tick));
   add(scene, "select", Tries, on_stage(select));
+  add(scene, "paint", Tries, on_stage(paint));
+  add(scene, "loop", Tries, on_stage(select_loop));
   add(scene, "rename", Tries, on_stage(rename));
   add(scene, "undo", Tries, on_stage(undo));
   add(scene, "redo", Tries, on_stage(redo));

@@ -94,6 +94,19 @@ TEST_F(Selecting, AddsAndRemoves) {
   EXPECT_THAT(faces(selection_, 1), IsEmpty());
 }
 
+TEST_F(Selecting, Intersects) {
+  selection_.set({0, 1});
+  selection_.set({0, 2});
+  selection_.set({1, 0});
+  FaceSelection other(objects_);
+  other.set({0, 2});
+  other.set({0, 3});
+  selection_.intersect(other);
+  EXPECT_THAT(faces(selection_), ElementsAre(2));
+  EXPECT_THAT(faces(selection_, 1), IsEmpty());
+  EXPECT_EQ(selection_.count(), 1U);
+}
+
 TEST_F(Selecting, GrowsAndShrinks) {
   selection_.set({0, 1});
   const FaceSelection grown_once = grown(selection_, objects_);
@@ -112,34 +125,6 @@ TEST_F(Selecting, FollowsWhatIsFlat) {
   EXPECT_THAT(faces(coplanar(selection_, objects_, 0.01)), ElementsAre(0, 1, 2));
   EXPECT_THAT(faces(coplanar(selection_, objects_, 0.8)), ElementsAre(0, 1, 2, 3));
   EXPECT_THAT(faces(coplanar(selection_, objects_, 1.6)), ElementsAre(0, 1, 2, 3, 4));
-}
-
-TEST_F(Selecting, FindsWhatIsAlike) {
-  selection_.set({0, 3});
-  const FaceSelection matte = select_similar(selection_, objects_, SimilarBy::Brdf);
-  EXPECT_THAT(faces(matte), ElementsAre(3, 4));
-  EXPECT_THAT(faces(matte, 1), ElementsAre(0));
-  EXPECT_EQ(select_similar(selection_, objects_, SimilarBy::Texture).count(), 7U);
-}
-
-TEST(SelectingByName, TellsNamesOfTwoScopesApart) {
-  const std::string face = " begin vertexs (0,0,0) (1,0,0) (0,1,0) end begin faces (0,1,2) end end ";
-  const std::string meshes =
-      "begin begin mesh brdf a rgb c" + face + "begin mesh brdf combine 1 a" + face + "end ";
-  const std::string first = "def a = brdf diffuse kd=0.1 c = rgb (1,0,0) " + meshes;
-  grf::Diagnostics diagnostics;
-  const auto scene = grf::read_text(first + first + "def a = brdf diffuse kd=0.9 c = rgb (0,1,0) " + meshes,
-                                    "scene.grf", diagnostics);
-  ASSERT_TRUE(scene) << diagnostics.to_text();
-  const SceneObjects objects = objects_of(*scene, "scene.grf");
-  for (const SimilarBy by : {SimilarBy::Brdf, SimilarBy::Colour, SimilarBy::All}) {
-    FaceSelection selection(objects);
-    selection.set({0, 0});
-    EXPECT_THAT(select_similar(selection, objects, by).meshes(), ElementsAre(0, 2));
-  }
-  FaceSelection of_sum(objects);
-  of_sum.set({1, 0});
-  EXPECT_THAT(select_similar(of_sum, objects, SimilarBy::Brdf).meshes(), ElementsAre(1, 3));
 }
 
 }  // namespace

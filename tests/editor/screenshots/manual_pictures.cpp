@@ -1,5 +1,6 @@
 // The pictures of the editor's manual: the real window in the states that the manual describes.
 #include <QApplication>
+#include <QCheckBox>
 #include <QDialog>
 #include <QDir>
 #include <QDockWidget>
@@ -15,6 +16,7 @@
 #include "editor/image/screen_controls.h"
 #include "editor/options/options_window.h"
 #include "editor/panels/camera_panel.h"
+#include "editor/panels/face_query_dialog.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_windows.h"
 #include "editor/window/viewer_window.h"
@@ -86,6 +88,32 @@ QPixmap cameras() {
   stage.act("Framing guides");
   stage.settle();
   return stage.picture();
+}
+
+/// Faces that the brush has painted, and the dialog that selects similar ones.
+QPixmap choosing_faces() {
+  Stage stage({1280, 800});
+  stage.open_as_rendered(Samples + "teapot/scene.grf");
+  stage.act("Brush");
+  editor::SceneView& view = stage.window().view();
+  const auto at = [&view](double x, double y) {
+    return QPoint(qRound(x * view.width()), qRound(y * view.height()));
+  };
+  test::drag(view, at(0.36, 0.6), at(0.52, 0.62));
+  stage.settle();
+  stage.act("Select faces by...");
+  auto* dialog = stage.window().findChild<editor::FaceQueryDialog*>();
+  test::named<QCheckBox>(*dialog, "Same BRDF").click();
+  test::named<QCheckBox>(*dialog, "Same normal").click();
+  stage.settle();
+  QTest::qWait(200);  // the faces are counted
+  QPixmap picture = stage.picture();
+  QPainter painter(&picture);
+  const QPoint corner(24, 130);
+  painter.drawPixmap(corner, dialog->grab());
+  painter.setPen(editor::colours_of(editor::theme_of(dialog->palette())).faint_text);
+  painter.drawRect(QRect(corner, dialog->size()));
+  return picture;
 }
 
 QPixmap lights_dock() {
@@ -219,6 +247,7 @@ std::vector<Picture> manual_pictures() {
       {"messages", messages},
       {"scene", [] { return dock_with_models("scene"); }},
       {"lights", lights_dock},
+      {"choosing", choosing_faces},
       {"placing", placing},
       {"cameras", cameras},
       {"surface", [] { return dock_with_models("surface"); }},

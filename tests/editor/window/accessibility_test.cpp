@@ -20,6 +20,7 @@
 
 #include "editor/image/image_browser.h"
 #include "editor/options/options_window.h"
+#include "editor/panels/face_query_dialog.h"
 #include "editor/panels/light_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
@@ -182,6 +183,16 @@ TEST_F(Accessibility, OfTheListOfShortcuts) {
         list->findChild<QTreeWidget*>()->findItems(keys, Qt::MatchExactly | Qt::MatchRecursive, 0).isEmpty())
         << keys;
   }
+}
+
+TEST_F(Accessibility, OfTheDialogThatSelectsFaces) {
+  const test::TemporaryFolder folder;
+  MainWindow window(QString::fromStdString(folder.path("sessions")));
+  window.show();
+  test::action(window, "Select faces by...").trigger();
+  auto* dialog = window.findChild<FaceQueryDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  check_controls(*dialog);
 }
 
 TEST_F(Accessibility, OfActionsBySynonyms) {

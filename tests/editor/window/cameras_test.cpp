@@ -67,7 +67,7 @@ class Cameras : public Authoring {
 TEST_F(Cameras, AreAddedNamedSelectedAndDeleted) {
   ASSERT_EQ(list().topLevelItemCount(), 1);
   EXPECT_EQ(list().topLevelItem(0)->text(0), "Render camera");
-  EXPECT_EQ(find<NumberBox>("Position, z").value(), 5);
+  EXPECT_EQ(find<NumberBox>("Camera: Position, z").value(), 5);
   window_.view().press(Qt::Key_3);  // from the right
   press("Add a camera");
   ASSERT_EQ(options().cameras.size(), 1U);
@@ -108,12 +108,12 @@ TEST_F(Cameras, HaveLensAndFocus) {
   EXPECT_EQ(options().cameras[0].lens_radius, 0.05F);
   type("Focus distance", "2.5");
   EXPECT_EQ(options().cameras[0].focus_distance, 2.5F);
-  type("Position, x", "0");
-  type("Position, y", "0");
-  type("Position, z", "4");
-  type("Look at, x", "0");
-  type("Look at, y", "0");
-  type("Look at, z", "0");
+  type("Camera: Position, x", "0");
+  type("Camera: Position, y", "0");
+  type("Camera: Position, z", "4");
+  type("Camera: Look at, x", "0");
+  type("Camera: Look at, y", "0");
+  type("Camera: Look at, z", "0");
   press("Look through the camera");
   ASSERT_TRUE(QTest::qWaitFor([this] { return window_.view().is_complete(); }, test::Minute));
   EXPECT_NEAR(window_.view().camera().eye().z, 4, 1e-6);
