@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 #include <variant>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include "converters/text_encoding.h"
 #include "grf/keywords.h"
 
 namespace convert {
@@ -130,6 +132,22 @@ void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<gr
     }
     for_each_mesh(scope->body, action);
   }
+}
+
+std::string name_of_file(const std::string& path) {
+  std::string name = to_utf8(std::filesystem::path(path).stem().string());
+  const auto is_control = [](unsigned char letter) { return letter < ' ' || letter == 127; };
+  std::replace_if(name.begin(), name.end(), is_control, ' ');
+  return name;
+}
+
+void name_meshes(grf::Scene& scene, const std::string& path) {
+  grf::UniqueNames names;
+  for_each_mesh(scene.contents, [&](const grf::Shared<grf::Mesh>& mesh) { names.add(mesh->name); });
+  const std::string name = name_of_file(path);
+  for_each_mesh(scene.contents, [&](grf::Shared<grf::Mesh>& mesh) {
+    if (mesh->name.empty()) mesh.edit().name = names.take(name);
+  });
 }
 
 std::string DefinitionNames::take(std::string_view name) { return names_.take(grf::to_identifier(name)); }
