@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -46,6 +47,20 @@ bool has_includes(const grf::BlockList& list) {
   });
 }
 
+/// Leaves out all other meshes than those of the names.
+void keep_only(const std::vector<std::string>& names, grf::Scene& scene, const grf::SourceLocation& location,
+               grf::Diagnostics& diagnostics) {
+  std::set<std::string> found;
+  keep_meshes(scene.contents, [&](const grf::Mesh& mesh) {
+    const bool is_kept = std::find(names.begin(), names.end(), mesh.name) != names.end();
+    if (is_kept) found.insert(mesh.name);
+    return is_kept;
+  });
+  for (const std::string& name : names) {
+    if (!found.contains(name)) diagnostics.error(location, fmt::format("no mesh is called '{}'", name));
+  }
+}
+
 /// Applies the options to the scene; file names stay relative to the input.
 grf::Scene changed(Import import, const ConvertOptions& options, grf::Diagnostics& diagnostics) {
   const std::string& path = options.input.path;
@@ -53,6 +68,7 @@ grf::Scene changed(Import import, const ConvertOptions& options, grf::Diagnostic
   // Writers of other formats would report the loss of names that the input does not have.
   if (!import.is_grf && output_format(options)->name == "grf") name_meshes(scene, path);
   const grf::SourceLocation location = grf::whole_file(path);
+  if (!options.only.empty()) keep_only(options.only, scene, location, diagnostics);
   // Meshes of included files are in other files, which must not change.
   const bool joins_files = options.operations.any() && !options.flat && has_includes(scene.contents);
   if (joins_files) diagnostics.note(location, "meshes are changed: all files are written as one");
