@@ -30,6 +30,7 @@ struct EmbeddedFile {
 struct Import {
   grf::Scene scene;
   std::vector<EmbeddedFile> files;
+  bool is_grf = false;  ///< whether the scene is exactly one of GRF, also if it was embedded in another file
 };
 
 /// The descriptor of a file format.

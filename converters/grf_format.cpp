@@ -37,7 +37,7 @@ bool sniff(std::string_view first_bytes) {
 std::optional<Import> read_grf(const std::string& path, const ReadOptions&, grf::Diagnostics& diagnostics) {
   auto scene = grf::read(path, diagnostics);
   if (!scene) return std::nullopt;
-  return Import{std::move(*scene), {}};
+  return Import{std::move(*scene), {}, true};
 }
 
 }  // namespace

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <set>
 #include <utility>
 #include <variant>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include "converters/text_encoding.h"
 #include "grf/keywords.h"
 
 namespace convert {
@@ -78,6 +82,55 @@ void append_linear_part(std::vector<grf::TransformStep>& steps, const Matrix44d&
   append(steps, Kind::Rotation, angles_of(after));
 }
 
+class MeshFilter {
+ public:
+  explicit MeshFilter(const std::function<bool(const grf::Mesh&)>& keeps) : keeps_(keeps) {}
+
+  void run(grf::BlockList& list) {
+    std::vector<grf::Block> kept;
+    for (grf::Block& block : list.blocks) {
+      if (!keeps(block)) continue;
+      auto* scope = std::get_if<grf::DefinitionScope>(&block.content);
+      if (scope == nullptr || !scope->definitions.empty()) {
+        kept.push_back(std::move(block));
+        continue;
+      }
+      auto& inside = scope->body.blocks;  // a scope has definitions
+      std::move(inside.begin(), inside.end(), std::back_inserter(kept));
+    }
+    list.blocks = std::move(kept);
+  }
+
+ private:
+  bool keeps(grf::Block& block) {
+    if (const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&block.content)) return keeps_(**mesh);
+    if (const auto* light = std::get_if<grf::MeshLight>(&block.content)) return keeps_(*light->mesh);
+    if (const auto* use = std::get_if<grf::Use>(&block.content)) return !removed_.contains(use->mesh.name);
+    if (auto* transform = std::get_if<grf::Transform>(&block.content)) {
+      run(transform->body);
+      return !transform->body.blocks.empty();
+    }
+    if (auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) filter(*scope);
+    return true;
+  }
+
+  void filter(grf::DefinitionScope& scope) {
+    const std::set<std::string> outside = removed_;  // whose names may be defined again in the scope
+    for (const grf::Definition& definition : scope.definitions) removed_.erase(definition.name);
+    std::erase_if(scope.definitions, [this](const grf::Definition& definition) {
+      const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
+      const bool is_removed = mesh != nullptr && !keeps_(**mesh);
+      if (is_removed) removed_.insert(definition.name);
+      return is_removed;
+    });
+    run(scope.body);
+    removed_ = outside;
+  }
+
+  const std::function<bool(const grf::Mesh&)>& keeps_;
+  std::set<std::string> removed_;  ///< definitions in scope
+};
+
 }  // namespace
 
 grf::Scene scene_of(std::vector<grf::Definition> definitions, std::vector<grf::Block> blocks,
@@ -130,6 +183,26 @@ void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<gr
     }
     for_each_mesh(scope->body, action);
   }
+}
+
+void keep_meshes(grf::BlockList& list, const std::function<bool(const grf::Mesh&)>& keeps) {
+  MeshFilter(keeps).run(list);
+}
+
+std::string name_of_file(const std::string& path) {
+  std::string name = to_utf8(std::filesystem::path(path).stem().string());
+  const auto is_control = [](unsigned char letter) { return letter < ' ' || letter == 127; };
+  std::replace_if(name.begin(), name.end(), is_control, ' ');
+  return name;
+}
+
+void name_meshes(grf::Scene& scene, const std::string& path) {
+  grf::UniqueNames names;
+  for_each_mesh(scene.contents, [&](const grf::Shared<grf::Mesh>& mesh) { names.add(mesh->name); });
+  const std::string name = name_of_file(path);
+  for_each_mesh(scene.contents, [&](grf::Shared<grf::Mesh>& mesh) {
+    if (mesh->name.empty()) mesh.edit().name = names.take(name);
+  });
 }
 
 std::string DefinitionNames::take(std::string_view name) { return names_.take(grf::to_identifier(name)); }

@@ -28,6 +28,18 @@ std::vector<grf::TransformStep> transform_steps(const grf::Matrix44d& matrix);
 /// files.
 void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<grf::Mesh>&)>& action);
 
+/// Removes the meshes and mesh lights for which `keeps` is false, with their instances and the transforms
+/// that are empty then. Calls it in the order of `for_each_mesh`.
+void keep_meshes(grf::BlockList& list, const std::function<bool(const grf::Mesh&)>& keeps);
+
+/// Returns the name of what comes from a file that gives it none: the file's name without folder and
+/// extension, in UTF-8 on one line.
+std::string name_of_file(const std::string& path);
+
+/// Names the nameless meshes of an imported scene, which has no mesh lights, after its file: `chair`, then
+/// `chair_2` and so on, skipping names that the scene has.
+void name_meshes(grf::Scene& scene, const std::string& path);
+
 /// Makes unique names for the definitions of a scene.
 class DefinitionNames {
  public:

@@ -175,7 +175,7 @@ std::optional<grf::Block> SceneMaker::block_of(const MeshGroup& group, const std
     grf::Mesh mesh = build(group, name);
     if (mesh.face_count() > 0) {
       face_count_ += mesh.face_count();
-      known->second = names_.take(name.empty() ? "mesh" : name);
+      known->second = names_.take(name.empty() ? name_of_file(location_.file->path) : name);
       mesh_definitions_.push_back({*known->second, grf::Shared<grf::Mesh>(std::move(mesh)), {}, location_});
     }
   }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "converters/mesh_operations/scene_placement.h"
+#include "grf/keywords.h"
 
 namespace convert {
 namespace {
@@ -50,6 +51,8 @@ void add_json_option(CLI::App& command, Arguments& arguments) {
 }
 
 void add_mesh_options(CLI::App& app, Arguments& arguments) {
+  app.add_option("--only", arguments.only, "Name of a mesh to keep; may be repeated; all others are left out")
+      ->allow_extra_args(false);
   app.add_option(
       "--weld", arguments.weld,
       "Merge vertices closer than this distance, in the units of the input (0: only those at one position)");
@@ -76,7 +79,11 @@ void add_mesh_options(CLI::App& app, Arguments& arguments) {
 void add_placement_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--up", arguments.up, "Up axis of the input; it becomes y")
       ->check(CLI::IsMember({"y", "z"}, CLI::ignore_case));
-  app.add_option("--scale", arguments.scale, "Scale factor, applied after --up");
+  std::vector<std::string> units;
+  for (const LengthUnit& unit : length_units()) units.emplace_back(unit.name);
+  app.add_option("--unit", arguments.unit, "Unit of the input's lengths; they become metres")
+      ->check(CLI::IsMember(units, CLI::ignore_case));
+  app.add_option("--scale", arguments.scale, "Scale factor, applied after --up and --unit");
   app.add_option(
       "--transform", arguments.transform,
       "Transform steps in order, applied after --scale, such as \"rotation 0 90 0 translation 1 0 0\"; "
@@ -195,12 +202,21 @@ std::string problem_of_numbers(const Arguments& arguments) {
   return {};
 }
 
-/// Returns the transform steps of `--up`, `--scale` and `--transform`.
+double metres_of(const std::string& name) {
+  const auto units = length_units();
+  const auto unit = std::find_if(units.begin(), units.end(), [&name](const LengthUnit& each) {
+    return grf::same_keyword(each.name, name);
+  });
+  return unit->metres;
+}
+
+/// Returns the transform steps of `--up`, `--unit`, `--scale` and `--transform`.
 std::vector<grf::TransformStep> placement_of(const Arguments& arguments, std::string& problem) {
   std::vector<grf::TransformStep> steps;
   if (arguments.up == "z") steps.push_back(z_up_to_y_up());
-  if (arguments.scale != 1) {
-    steps.push_back({grf::TransformStep::Kind::Scale, grf::Vec3f(static_cast<float>(arguments.scale))});
+  for (const double scale : {metres_of(arguments.unit), arguments.scale}) {
+    if (scale == 1) continue;
+    steps.push_back({grf::TransformStep::Kind::Scale, grf::Vec3f(static_cast<float>(scale))});
   }
   if (arguments.transform.empty()) return steps;
   std::string wrong;
@@ -257,6 +273,7 @@ std::optional<BatchOptions> batch_options(const Arguments& arguments) {
   options.each.output_format = find_format(arguments.to);
   options.each.flat = arguments.flat;
   options.each.grf2008 = arguments.grf2008;
+  options.each.only = arguments.only;
   options.each.operations.weld = arguments.weld;
   options.each.operations.smooth = arguments.smooth;
   options.each.operations.triangulate = arguments.triangulate;

@@ -25,6 +25,8 @@ struct Arguments {
   std::string subdivide;
   std::string transform;
   std::string up = "y";
+  std::string unit = "m";
+  std::vector<std::string> only;
   double scale = 1;
   std::optional<double> weld;
   std::optional<double> decimate;

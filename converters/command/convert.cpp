@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "converters/embedded_files.h"
 #include "converters/grf2008.h"
 #include "converters/mesh_operations/scene_placement.h"
+#include "converters/scene_building.h"
 #include "converters/wording.h"
 #include "grf/relocate.h"
 #include "grf/text_file.h"
@@ -45,10 +47,28 @@ bool has_includes(const grf::BlockList& list) {
   });
 }
 
+/// Leaves out all other meshes than those of the names.
+void keep_only(const std::vector<std::string>& names, grf::Scene& scene, const grf::SourceLocation& location,
+               grf::Diagnostics& diagnostics) {
+  std::set<std::string> found;
+  keep_meshes(scene.contents, [&](const grf::Mesh& mesh) {
+    const bool is_kept = std::find(names.begin(), names.end(), mesh.name) != names.end();
+    if (is_kept) found.insert(mesh.name);
+    return is_kept;
+  });
+  for (const std::string& name : names) {
+    if (!found.contains(name)) diagnostics.error(location, fmt::format("no mesh is called '{}'", name));
+  }
+}
+
 /// Applies the options to the scene; file names stay relative to the input.
-grf::Scene changed(grf::Scene scene, const ConvertOptions& options, grf::Diagnostics& diagnostics) {
+grf::Scene changed(Import import, const ConvertOptions& options, grf::Diagnostics& diagnostics) {
   const std::string& path = options.input.path;
+  grf::Scene scene = std::move(import.scene);
+  // Writers of other formats would report the loss of names that the input does not have.
+  if (!import.is_grf && output_format(options)->name == "grf") name_meshes(scene, path);
   const grf::SourceLocation location = grf::whole_file(path);
+  if (!options.only.empty()) keep_only(options.only, scene, location, diagnostics);
   // Meshes of included files are in other files, which must not change.
   const bool joins_files = options.operations.any() && !options.flat && has_includes(scene.contents);
   if (joins_files) diagnostics.note(location, "meshes are changed: all files are written as one");
@@ -196,10 +216,11 @@ ExitCode convert_file(const ConvertOptions& options) {
   std::optional<WrittenFiles> files;
   Counts counts;
   if (input) {
-    grf::Scene scene = changed(std::move(input->scene), options, diagnostics);
+    const std::vector<EmbeddedFile> embedded = std::move(input->import.files);
+    grf::Scene scene = changed(std::move(input->import), options, diagnostics);
     counts = counts_of(scene);
     const auto write = options.dry_run ? &try_to_write_all : &write_all;
-    if (diagnostics.error_count() == 0) files = write(scene, input->files, options, diagnostics);
+    if (diagnostics.error_count() == 0) files = write(scene, embedded, options, diagnostics);
   }
   print(diagnostics, options.quiet);
   if (!files) return ExitCode::BadInput;

@@ -15,6 +15,7 @@ struct ConvertOptions {
   const Format* output_format = nullptr;  ///< null: detected from the output's name
   bool flat = false;                      ///< expand includes and BRDF files into one file
   bool grf2008 = false;                   ///< write only the grammar of 2008
+  std::vector<std::string> only;          ///< names of the meshes to keep; empty: all
   MeshOperations operations;
   std::vector<grf::TransformStep> placement;  ///< transform of the whole scene
   bool dry_run = false;                       ///< write no file

@@ -115,7 +115,7 @@ ExitCode print_figures(const InputOptions& options, bool json, bool quiet) {
   const auto input = read_input(options, diagnostics);
   print(diagnostics, quiet);
   if (!input) return ExitCode::BadInput;
-  const grf::Summary summary = grf::summarize(input->scene);
+  const grf::Summary summary = grf::summarize(input->import.scene);
   if (json) {
     print_json(to_json(*input->format, summary, diagnostics.warning_count()));
   } else {

@@ -32,7 +32,7 @@ std::optional<Input> read_input(const InputOptions& options, grf::Diagnostics& d
   if (!import) return std::nullopt;
   const std::set<std::string> embedded = paths_of(import->files, options.path);
   if (!grf::check(import->scene, reflectance::catalogue(), diagnostics, embedded)) return std::nullopt;
-  return Input{format, std::move(import->scene), std::move(import->files)};
+  return Input{format, std::move(*import)};
 }
 
 std::optional<grf::BrdfModel> read_brdf_option(const std::string& text, const std::string& option,

@@ -16,8 +16,7 @@ struct InputOptions {
 
 struct Input {
   const Format* format = nullptr;
-  grf::Scene scene;
-  std::vector<EmbeddedFile> files;
+  Import import;
 };
 
 /// Reads a file and validates the scene against the catalogue of models. Returns nothing after an error.

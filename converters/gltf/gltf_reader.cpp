@@ -167,7 +167,7 @@ class SceneReader {
       known_.insert(form);
       if (read->face_count() > 0) {
         shape.name =
-            names_.take(mesh.name.empty() ? fmt::format("mesh_{}", form.mesh) : on_one_line(mesh.name));
+            names_.take(mesh.name.empty() ? name_of_file(location_.file->path) : on_one_line(mesh.name));
         grf::Definition definition;
         definition.name = shape.name;
         definition.body = grf::Shared<grf::Mesh>(std::move(*read));
@@ -254,7 +254,7 @@ std::optional<Import> read_gltf(const std::string& path, const ReadOptions&, grf
   if (!images.load()) return std::nullopt;
   if (file->is_unchanged_grf) {
     if (auto scene = scene_in_extras(*file, diagnostics))
-      return Import{std::move(*scene), images.take_files()};
+      return Import{std::move(*scene), images.take_files(), true};
   }
   auto scene = SceneReader(*file, accessors, images, diagnostics).run();
   if (!scene) return std::nullopt;

@@ -1,6 +1,7 @@
 #include "converters/mesh_operations/scene_placement.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -55,6 +56,13 @@ std::optional<grf::Vec3d> vector_at(const std::vector<std::string>& words, std::
 }
 
 }  // namespace
+
+std::span<const LengthUnit> length_units() {
+  static constexpr std::array Units = {LengthUnit{"mm", 0.001}, LengthUnit{"cm", 0.01},
+                                       LengthUnit{"inch", 0.0254}, LengthUnit{"foot", 0.3048},
+                                       LengthUnit{"m", 1}};
+  return Units;
+}
 
 std::optional<std::vector<grf::TransformStep>> read_transform_steps(std::string_view text,
                                                                     std::string& problem) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,15 @@ namespace convert {
 /// invalid text, with the reason in `problem`.
 std::optional<std::vector<grf::TransformStep>> read_transform_steps(std::string_view text,
                                                                     std::string& problem);
+
+/// A unit of length of models.
+struct LengthUnit {
+  std::string_view name;  ///< for options: `mm`
+  double metres = 1;
+};
+
+/// Returns the units of length, from small to large.
+std::span<const LengthUnit> length_units();
 
 /// Returns the rotation from z up to y up, as in GRF.
 grf::TransformStep z_up_to_y_up();

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "converters/scene_building.h"
 #include "converters/vrml/addresses.h"
 #include "converters/vrml/parser.h"
 #include "grf/text_file.h"
@@ -212,7 +213,7 @@ std::vector<grf::Definition> World::definitions_of_shared_meshes() {
     if (shared->places < 2) continue;
     const std::string& name = (*shared->mesh)->name;
     grf::Definition definition;
-    definition.name = names_.take(name.empty() ? "mesh" : name);
+    definition.name = names_.take(name.empty() ? name_of_file(shared->location.file->path) : name);
     definition.body = *shared->mesh;
     definition.location = shared->location;
     names_of_shared_.emplace(&**shared->mesh, definition.name);

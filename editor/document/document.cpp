@@ -170,17 +170,22 @@ void Document::take_import(const ImportedModel& model) {
 }
 
 void Document::merge(const QString& text, const grf::Scene& scene, const QString& path) {
-  grf::Scene result = scene_;
-  grf::BlockList added = moved(scene, path, path_).contents;
-  auto& blocks = outermost_blocks(result).blocks;
-  blocks.insert(blocks.end(), std::make_move_iterator(added.blocks.begin()),
-                std::make_move_iterator(added.blocks.end()));
-  replace(text, std::move(result));
+  ImportedModel model;
+  model.scene = scene;
+  model.path = path;
+  merge_imports(text, {model});
 }
 
-void Document::merge_import(const QString& text, const ImportedModel& model) {
-  add_import(model.folder);
-  merge(text, model.scene, model.path);
+void Document::merge_imports(const QString& text, const std::vector<ImportedModel>& models) {
+  grf::Scene result = scene_;
+  auto& blocks = outermost_blocks(result).blocks;
+  for (const ImportedModel& model : models) {
+    add_import(model.folder);
+    grf::BlockList added = moved(model.scene, model.path, path_).contents;
+    blocks.insert(blocks.end(), std::make_move_iterator(added.blocks.begin()),
+                  std::make_move_iterator(added.blocks.end()));
+  }
+  replace(text, std::move(result));
 }
 
 void Document::add_import(std::shared_ptr<const ImportFolder> folder) {

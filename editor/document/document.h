@@ -77,7 +77,8 @@ class Document : public QObject {
   void take_import(const ImportedModel& model);
   /// Appends the blocks of another scene, whose file is `path`, in a scope of its names, as one undo step.
   void merge(const QString& text, const grf::Scene& scene, const QString& path);
-  void merge_import(const QString& text, const ImportedModel& model);
+  /// Appends models, as one undo step.
+  void merge_imports(const QString& text, const std::vector<ImportedModel>& models);
   /// Folders with images of imported models; each is kept as long as it is referenced.
   const ImportFolders& imports() const { return imports_; }
   void add_import(std::shared_ptr<const ImportFolder> folder);

@@ -87,4 +87,9 @@ bool is_copied(const ImportFolder& folder, const std::string& from,
   });
 }
 
+bool is_image(const QString& file) {
+  static const QStringList Extensions = {"exr", "hdr", "pfm", "raw", "png", "jpg", "jpeg", "bmp", "tga"};
+  return Extensions.contains(QFileInfo(file).suffix().toLower());
+}
+
 }  // namespace editor

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <map>
 #include <string>
 
@@ -15,6 +16,9 @@ namespace editor {
 std::map<std::string, std::string> copy_images(const grf::Scene& scene, const std::string& from,
                                                const ImportFolders& folders, const std::string& to,
                                                grf::Diagnostics& diagnostics);
+
+/// Whether a file is an image by its name, and not a scene or model.
+bool is_image(const QString& file);
 
 /// Whether all images of a folder were copied, by their names in the file `from`.
 bool is_copied(const ImportFolder& folder, const std::string& from,

@@ -31,7 +31,27 @@ QString first_image(const Document& document) {
   return {};
 }
 
+/// Sets the texture of the selected faces, or removes it.
+void edit_texture(Document& document, const AttributeEdit<grf::TextureAttribute>& texture) {
+  SurfaceEdit edit;
+  edit.texture = texture;
+  document.edit_surfaces(texture.value() ? TextureRow::tr("Set texture") : TextureRow::tr("Remove texture"),
+                         edit);
+}
+
 }  // namespace
+
+void assign_texture(Document& document, const QString& path) {
+  // The name is relative to the scene's own file, so that both can be moved together.
+  const QString scene = document.path();
+  const QString name = scene.isEmpty() || QFileInfo(path).isRelative()
+                           ? path
+                           : QFileInfo(scene).absoluteDir().relativeFilePath(path);
+  grf::Texture texture;
+  texture.file = name.toStdString();
+  if (!scene.isEmpty()) texture.location = grf::whole_file(scene.toStdString());
+  edit_texture(document, AttributeEdit<grf::TextureAttribute>::set(texture));
+}
 
 TextureRow::TextureRow(Document& document, QWidget* parent)
     : SurfaceRow(document, parent),
@@ -49,7 +69,7 @@ TextureRow::TextureRow(Document& document, QWidget* parent)
       "browse", tr("Browse for an image"), tr("Browse for an image file"), [this] { browse(); }, this);
   reset_ = tool_button(
       "reset", tr("Remove the texture"), {},
-      [this] { assign(AttributeEdit<grf::TextureAttribute>::remove()); }, this);
+      [this] { edit_texture(document_, AttributeEdit<grf::TextureAttribute>::remove()); }, this);
   field_ = choice_;
   auto* lines = tight_layout<QVBoxLayout>(this);
   auto* line = new QHBoxLayout;
@@ -100,28 +120,17 @@ void TextureRow::show_summary(const SelectionSummary& summary) {
          common.is_mixed || common.value ? QString() : tr("The faces have no texture."));
 }
 
-void TextureRow::assign_file(const QString& path) {
-  // The name is relative to the scene's own file, so that both can be moved together.
-  const QString scene = document_.path();
-  const QString name = scene.isEmpty() || QFileInfo(path).isRelative()
-                           ? path
-                           : QFileInfo(scene).absoluteDir().relativeFilePath(path);
-  grf::Texture texture;
-  texture.file = name.toStdString();
-  if (!scene.isEmpty()) texture.location = grf::whole_file(scene.toStdString());
-  assign(AttributeEdit<grf::TextureAttribute>::set(texture));
-}
-
 void TextureRow::take_text() {
   const QString text = choice_->currentText().trimmed();
   if (text == shown_) return;
   shown_ = text;
   if (text.isEmpty()) {
-    assign(AttributeEdit<grf::TextureAttribute>::remove());
+    edit_texture(document_, AttributeEdit<grf::TextureAttribute>::remove());
   } else if (names_.contains(text)) {
-    assign(AttributeEdit<grf::TextureAttribute>::set(grf::Reference{text.toStdString(), {}}));
+    edit_texture(document_,
+                 AttributeEdit<grf::TextureAttribute>::set(grf::Reference{text.toStdString(), {}}));
   } else {
-    assign_file(text);
+    assign_texture(document_, text);
   }
 }
 
@@ -130,14 +139,9 @@ void TextureRow::browse() {
                                  tr("Images (*.png *.jpg *.jpeg *.bmp *.tga *.exr *.hdr);;All files (*)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, &TextureRow::assign_file);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& path) { assign_texture(document_, path); });
   dialog->open();
-}
-
-void TextureRow::assign(const AttributeEdit<grf::TextureAttribute>& texture) {
-  SurfaceEdit edit;
-  edit.texture = texture;
-  document_.edit_surfaces(texture.value() ? tr("Set texture") : tr("Remove texture"), edit);
 }
 
 }  // namespace editor

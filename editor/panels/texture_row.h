@@ -10,6 +10,9 @@ namespace editor {
 
 class TexturePreview;
 
+/// Assigns an image file to the selected faces, as one undo step.
+void assign_texture(Document& document, const QString& path);
+
 /// Chooses the texture of the faces: an image file, or a named texture of the scene.
 class TextureRow : public SurfaceRow {
   Q_OBJECT
@@ -18,13 +21,9 @@ class TextureRow : public SurfaceRow {
   explicit TextureRow(Document& document, QWidget* parent = nullptr);
   void show_summary(const SelectionSummary& summary) override;
 
-  /// Assigns an image file to the selected faces.
-  void assign_file(const QString& path);
-
  private:
   void take_text();
   void browse();
-  void assign(const AttributeEdit<grf::TextureAttribute>& texture);
 
   QStringList names_;
   QString shown_;

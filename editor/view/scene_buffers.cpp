@@ -103,6 +103,11 @@ void SceneBuffers::set_texture(const std::string& path, const transport::Image* 
   texture = texture_of(*image);
 }
 
+void SceneBuffers::forget_texture(const std::string& path) {
+  textures_.erase(path);
+  reduced_textures_.erase(path);
+}
+
 void SceneBuffers::bind_texture(std::size_t number, GLuint unit) {
   const auto found = textures_.find(surfaces_.textures[number]);
   (found != textures_.end() ? *found->second : *awaited_texture_).bind(unit);

@@ -30,6 +30,8 @@ class SceneBuffers {
   void set_selection(const FaceSelection& selection);
   /// Sets a texture, downscaled to the driver's limit; null if it cannot be read.
   void set_texture(const std::string& path, const transport::Image* image);
+  /// Drops a texture, so that it can be set again.
+  void forget_texture(const std::string& path);
 
   const std::vector<MeshInstance>& instances() const { return *objects_->instances; }
   const FaceTables& faces() const { return faces_; }

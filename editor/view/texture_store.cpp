@@ -1,10 +1,16 @@
 #include "editor/view/texture_store.h"
 
+#include <QFileInfo>
 #include <QtConcurrent>
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace editor {
+
+TextureStore::TextureStore(ImageProcess images) : images_(std::move(images)) {
+  connect(&watch_, &FileWatch::changed, this, &TextureStore::read_changed);
+}
 
 void TextureStore::set_paths(const std::vector<std::string>& paths) {
   std::map<std::string, Entry> old = std::exchange(entries_, {});
@@ -12,16 +18,34 @@ void TextureStore::set_paths(const std::vector<std::string>& paths) {
     const auto known = old.find(path);
     if (known != old.end()) {
       entries_.insert(*known);
-      continue;
+    } else if (entries_.try_emplace(path).second) {
+      start_reading(path);
     }
-    if (!entries_.try_emplace(path).second) continue;
-    QtConcurrent::run(&threads_, read, images_, path, stop_.get_token()).then(this, [this, path](Entry read) {
-      const auto entry = entries_.find(path);
-      if (entry == entries_.end() || entry->second.is_read) return;
-      entry->second = std::move(read);
-      if (!entry->second.problem.empty()) emit failed(QString::fromStdString(entry->second.problem));
-      emit changed(path);
-    });
+  }
+  if (std::ranges::equal(old | std::views::keys, entries_ | std::views::keys)) return;
+  QStringList files;
+  for (const auto& [path, entry] : entries_) files.append(QString::fromStdString(path));
+  watch_.follow(files);
+}
+
+void TextureStore::start_reading(const std::string& path) {
+  const int reading = ++readings_;
+  entries_[path].reading = reading;
+  const auto take = [this, path, reading](Entry read) {
+    const auto entry = entries_.find(path);
+    if (entry == entries_.end() || entry->second.reading != reading) return;
+    entry->second = std::move(read);
+    entry->second.reading = reading;
+    if (!entry->second.problem.empty()) emit failed(QString::fromStdString(entry->second.problem));
+    emit changed(path);
+  };
+  QtConcurrent::run(&threads_, read, images_, path, stop_.get_token()).then(this, take);
+}
+
+/// The former image is shown until the new one is read.
+void TextureStore::read_changed(const QStringList& files) {
+  for (const auto& [path, entry] : entries_) {
+    if (files.contains(QFileInfo(QString::fromStdString(path)).absoluteFilePath())) start_reading(path);
   }
 }
 
@@ -41,9 +65,9 @@ TextureStore::Entry TextureStore::read(const ImageProcess& images, const std::st
                                        const std::stop_token& stop) {
   grf::Diagnostics diagnostics;
   auto image = images.read(path, diagnostics, {}, stop);
-  if (image) return {std::make_shared<const transport::Image>(*std::move(image)), {}, true};
+  if (image) return {std::make_shared<const transport::Image>(*std::move(image)), {}, true, 0};
   const bool has_error = diagnostics.error_count() > 0;  // no message if it was stopped
-  return {nullptr, has_error ? path + ": " + diagnostics.entries().front().message : std::string(), true};
+  return {nullptr, has_error ? path + ": " + diagnostics.entries().front().message : std::string(), true, 0};
 }
 
 }  // namespace editor

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/document/file_watch.h"
 #include "editor/programs/image_process.h"
 
 namespace editor {
@@ -19,12 +20,12 @@ struct ReadTexture {
   bool operator==(const ReadTexture&) const = default;
 };
 
-/// Loads the textures of faces in child processes, each once.
+/// Loads the textures of faces in child processes, each once, and again when its file changes.
 class TextureStore : public QObject {
   Q_OBJECT
 
  public:
-  explicit TextureStore(ImageProcess images = ImageProcess()) : images_(std::move(images)) {}
+  explicit TextureStore(ImageProcess images = ImageProcess());
   ~TextureStore() override { stop_.request_stop(); }
 
   /// Starts to load new ones, and drops unused ones.
@@ -46,7 +47,11 @@ class TextureStore : public QObject {
     std::shared_ptr<const transport::Image> image;
     std::string problem;  ///< error message; empty if there is none
     bool is_read = false;
+    int reading = 0;  ///< number of the latest reading
   };
+
+  void start_reading(const std::string& path);
+  void read_changed(const QStringList& files);
 
   static Entry read(const ImageProcess& images, const std::string& path, const std::stop_token& stop);
 
@@ -54,6 +59,8 @@ class TextureStore : public QObject {
   std::stop_source stop_;
   QThreadPool threads_;  // of its own: they wait for processes, which may hang
   std::map<std::string, Entry> entries_;
+  int readings_ = 0;
+  FileWatch watch_;
 };
 
 }  // namespace editor

@@ -1,6 +1,7 @@
 #include "editor/view/view_drawing.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -70,6 +71,10 @@ void ViewDrawing::load(const ViewState& state) {
   const bool has_other_faces = has_other_objects && scene_.set_objects(state.objects);
   if (has_other_faces || state.selection != state_.selection) scene_.set_selection(*state.selection);
   if (has_other_objects || state.textures != state_.textures) {
+    for (const ReadTexture& former : state_.textures) {
+      if (std::ranges::find(state.textures, former) == state.textures.end())
+        scene_.forget_texture(former.path);
+    }
     for (const ReadTexture& texture : state.textures) scene_.set_texture(texture.path, texture.image.get());
     restart();
   }

@@ -17,9 +17,13 @@
 #include "editor/controls/actions.h"
 #include "editor/controls/text.h"
 #include "editor/document/document.h"
+#include "editor/document/import_options.h"
 #include "editor/document/model_import.h"
 #include "editor/document/save.h"
+#include "editor/document/scene_export.h"
 #include "editor/jobs/job_list.h"
+#include "editor/window/export_dialog.h"
+#include "editor/window/import_dialog.h"
 #include "grf/text_file.h"
 
 namespace editor {
@@ -29,20 +33,11 @@ constexpr int MostRecentFiles = 10;
 const QString Reading = QStringLiteral("reading");
 const QString Writing = QStringLiteral("writing");
 
-/// File dialog filters "Title (*.a *.b)" of the writable formats except GRF.
-QString export_filter() {
-  QStringList filters;
-  for (const convert::Format& format : convert::formats()) {
-    if (format.write == nullptr || format.name == "grf") continue;
-    QStringList patterns;
-    for (const std::string_view extension : format.extensions) patterns.append("*." + text_of(extension));
-    filters.append(QString("%1 (%2)").arg(text_of(format.title), patterns.join(' ')));
-  }
-  return filters.join(";;");
-}
-
+/// The name of the scene without extension, in its folder, or for an unsaved one in the last used folder.
 QString name_for_export(const Document& document) {
-  return QFileInfo(document.path().isEmpty() ? "scene" : document.path()).completeBaseName();
+  if (document.path().isEmpty()) return QDir(QSettings().value("last_folder").toString()).filePath("scene");
+  const QFileInfo info(document.path());
+  return info.dir().filePath(info.completeBaseName());
 }
 
 /// Replaces the extension by that of files that may have irradiance.
@@ -63,18 +58,23 @@ void add_recent_file(const QString& file) {
   QSettings().setValue("recent_files", QStringList(files.mid(0, MostRecentFiles)));
 }
 
-QString ask_for_scene_or_model(QWidget& window, const QString& title) {
+QStringList ask_for_scenes_or_models(QWidget& window, const QString& title) {
   const QString readable =
       FileActions::tr("Scenes and models (%1);;All files (*)").arg(ModelImport::name_patterns().join(' '));
   QSettings settings;
   const QString folder = settings.value("last_folder").toString();
-  QString file = QFileDialog::getOpenFileName(&window, title, folder, readable);
-  if (!file.isEmpty()) settings.setValue("last_folder", QFileInfo(file).path());
-  return file;
+  QStringList files = QFileDialog::getOpenFileNames(&window, title, folder, readable);
+  if (!files.isEmpty()) settings.setValue("last_folder", QFileInfo(files.front()).path());
+  return files;
 }
 
 FileActions::FileActions(Document& document, JobList& jobs, QWidget& window)
-    : QObject(&window), document_(document), jobs_(jobs), window_(window), outside_(document, this) {
+    : QObject(&window),
+      document_(document),
+      jobs_(jobs),
+      window_(window),
+      outside_(document, this),
+      applying_(this) {
   connect(&loader_, &SceneLoader::loaded, this, &FileActions::take);
   connect(&loader_, &SceneLoader::failed, this, &FileActions::fail);
   connect(&jobs_, &JobList::queue_emptied, this, [this](const QString& queue) {
@@ -95,25 +95,21 @@ void FileActions::make_actions() {
   };
   add(tr("&New"), "new", QKeySequence::New, tr("Start an empty scene"),
       [this] { leave([this] { document_.clear(); }); });
-  add(tr("&Open..."), "open", QKeySequence::Open, tr("Open a scene, or import a model of another format"),
-      [this] {
-        const QString file = ask_for_scene_or_model(window_, tr("Open"));
-        if (!file.isEmpty()) open(file);
-      });
-  add(tr("A&ppend..."), {}, QKeySequence("Ctrl+Shift+O"), tr("Append a scene or a model to this one"),
-      [this] {
-        const QString file = ask_for_scene_or_model(window_, tr("Append"));
-        if (!file.isEmpty()) merge(file);
-      });
+  add(tr("&Open..."), "open", QKeySequence::Open, tr("Open scenes, or import models of other formats"),
+      [this] { open(ask_for_scenes_or_models(window_, tr("Open")), AskOptions::UnlessHidden); });
+  add(tr("A&ppend..."), {}, QKeySequence("Ctrl+Shift+O"), tr("Append scenes or models to this one"),
+      [this] { merge(ask_for_scenes_or_models(window_, tr("Append")), AskOptions::UnlessHidden); });
+  add(tr("Append with op&tions..."), {}, QKeySequence("Ctrl+Alt+I"),
+      tr("Append models, and show the import options, also if they are hidden for their type"),
+      [this] { merge(ask_for_scenes_or_models(window_, tr("Append")), AskOptions::Always); });
   add(tr("&Save"), "save", QKeySequence::Save, tr("Save the scene"), [this] { save(); });
   add(tr("Save &as..."), {}, QKeySequence("Ctrl+Shift+S"), tr("Save the scene under another name"),
       [this] { ask_where_to_save({}); });
   add(tr("Re&vert"), {}, QKeySequence("Ctrl+Shift+R"), tr("Revert to the saved file of the scene"),
       [this] { revert(); });
   add(tr("&Export..."), {}, QKeySequence("Ctrl+E"), tr("Export the scene to another format"), [this] {
-    const QString file =
-        QFileDialog::getSaveFileName(&window_, tr("Export"), name_for_export(document_), export_filter());
-    if (!file.isEmpty()) export_to(file);
+    ExportDialog dialog(export_request(document_), name_for_export(document_), &window_);
+    if (dialog.exec() == QDialog::Accepted) begin(dialog.request());
   });
 }
 
@@ -125,7 +121,7 @@ void FileActions::fill(QMenu& menu) {
   connect(recent_, &QMenu::aboutToShow, this, &FileActions::update_recent);
   update_recent();
   for (int i = 2; i < actions_.size(); ++i) {
-    if (i == 3 || i == 6) menu.addSeparator();
+    if (i == 4 || i == 7) menu.addSeparator();
     menu.addAction(actions_[i]);
   }
   menu.addSeparator();
@@ -172,64 +168,120 @@ void FileActions::ask_where_to_save(const std::function<void()>& then) {
   save_as(file, then);
 }
 
-void FileActions::open(const QString& file) {
-  leave([this, file] { begin(file, false); });
+void FileActions::open(const QStringList& files, AskOptions asks) {
+  if (files.isEmpty()) return;
+  leave([this, files, asks] {
+    begin({{files.front()}, false, asks, document_.revision()});
+    if (files.size() == 1) return;
+    Import others = {files.mid(1), true, asks, document_.revision()};
+    others.asked_types = {import_type(files.front())};
+    begin(std::move(others));
+  });
 }
 
-void FileActions::merge(const QString& file) {
-  after_saving([this, file] { begin(file, true); });
+void FileActions::merge(const QStringList& files, AskOptions asks) {
+  if (files.isEmpty()) return;
+  after_saving([this, files, asks] { begin({files, true, asks, document_.revision()}); });
 }
 
 bool FileActions::is_importing() const { return jobs_.is_busy(Reading); }
 
 bool FileActions::is_saving() const { return jobs_.is_busy(Writing); }
 
-void FileActions::begin(const QString& file, bool merges) {
-  const Import import = {file, merges, document_.revision()};
-  const QString name = QFileInfo(file).fileName();
-  const QString title = merges ? tr("Append %1") : is_grf(file) ? tr("Open %1") : tr("Import %1");
-  jobs_.add({title.arg(name), Reading, [this, import](Job& job) { read(job, import); },
+void FileActions::begin(Import import) {
+  const QString name = QFileInfo(import.files.front()).fileName();
+  import.title = import.files.size() > 1        ? tr("Append %1 files").arg(import.files.size())
+                 : import.merges                ? tr("Append %1").arg(name)
+                 : is_grf(import.files.front()) ? tr("Open %1").arg(name)
+                                                : tr("Import %1").arg(name);
+  jobs_.add({import.title, Reading, [this, import](Job& job) { read(job, import); },
              [this] { cancel_reading(); }, tr("Cancel: the scene stays as it is")});
 }
 
 void FileActions::read(Job& job, const Import& import) {
   reading_ = &job;
   import_ = import;
-  loader_.start(import.file);
+  loader_.start(import_.files.front());
 }
 
 void FileActions::cancel_reading() {
   loader_.cancel();
+  applying_.stop();
   emit done(tr("Cancelled"));
   reading_->end();
 }
 
+/// Applies the options of an import, which are remembered or asked for.
 void FileActions::take(const std::shared_ptr<const LoadedScene>& loaded) {
+  const QString& file = import_.files.front();
+  add_recent_file(file);
+  if (is_grf(file)) return keep(loaded);
+  const QString type = import_type(file);
+  const bool asks = !import_.asked_types.contains(type) &&
+                    (import_.asks == AskOptions::Always ||
+                     (import_.asks == AskOptions::UnlessHidden && asks_for_import_options(type)));
+  if (!asks) return take_with_options(loaded);
+  import_.asked_types.append(type);
   const QPointer<Job> job = reading_;
-  const ImportedModel& model = loaded->model;
-  const QString name = QFileInfo(import_.file).fileName();
-  const bool is_scene = is_grf(import_.file);
-  const QString did = import_.merges ? tr("Appended %1") : is_scene ? tr("Opened %1") : tr("Imported %1");
-  add_recent_file(import_.file);
-  if (import_.merges) {
-    document_.merge_import(tr("Append %1").arg(name), model);
-    emit reported(model.diagnostics);
-  } else {
-    const auto take_it = [this, loaded, is_scene] {
-      const ImportedModel& taken = loaded->model;
-      is_scene ? document_.take(taken.scene, taken.path, taken.diagnostics) : document_.take_import(taken);
-    };
-    import_.revision == document_.revision() ? take_it() : leave(take_it);
-  }
-  emit done(model.losses.isEmpty() ? did.arg(name)
-                                   : tr("%1, with losses: %2").arg(did.arg(name), model.losses.join("; ")));
+  ImportDialog dialog(loaded, &window_);
+  const bool is_accepted = dialog.exec() == QDialog::Accepted;
+  if (!job || job->state() != Job::State::Running) return;  // it was cancelled meanwhile
+  is_accepted ? keep(dialog.result_scene()) : cancel_reading();
+}
+
+void FileActions::take_with_options(const std::shared_ptr<const LoadedScene>& loaded) {
+  const ImportOptions options = remembered_import_options(import_type(import_.files.front()));
+  if (options.are_default()) return keep(loaded);
+  applying_.start([loaded, options](const StopFlag&) { return with_options(*loaded, options); },
+                  [this](const std::shared_ptr<const LoadedScene>& scene) { keep(scene); });
+}
+
+void FileActions::keep(const std::shared_ptr<const LoadedScene>& loaded) {
+  import_.loaded.push_back(loaded);
+  read_next();
+}
+
+void FileActions::read_next() {
+  const QPointer<Job> job = reading_;
+  import_.files.removeFirst();
+  if (!import_.files.isEmpty()) return loader_.start(import_.files.front());
+  if (!import_.loaded.empty()) import_.merges ? append_loaded() : show_loaded();
   if (job) job->end();  // a question may have taken so long that the job was cancelled
+}
+
+void FileActions::append_loaded() {
+  const QString path = import_.loaded.front()->path;
+  std::vector<ImportedModel> models;
+  QStringList losses;
+  for (const auto& loaded : std::exchange(import_.loaded, {})) {
+    models.push_back(loaded->model);
+    losses += loaded->model.losses;
+  }
+  document_.merge_imports(import_.title, models);
+  for (const ImportedModel& model : models) emit reported(model.diagnostics);
+  const QString did = models.size() == 1 ? tr("Appended %1").arg(QFileInfo(path).fileName())
+                                         : tr("Appended %1 files").arg(models.size());
+  emit done(losses.isEmpty() ? did : tr("%1, with losses: %2").arg(did, losses.join("; ")));
+}
+
+void FileActions::show_loaded() {
+  const std::shared_ptr<const LoadedScene> loaded = std::exchange(import_.loaded, {}).front();
+  const QStringList& losses = loaded->model.losses;
+  const bool is_scene = is_grf(loaded->path);
+  const QString did =
+      (is_scene ? tr("Opened %1") : tr("Imported %1")).arg(QFileInfo(loaded->path).fileName());
+  const auto take_it = [this, loaded, is_scene] {
+    const ImportedModel& taken = loaded->model;
+    is_scene ? document_.take(taken.scene, taken.path, taken.diagnostics) : document_.take_import(taken);
+  };
+  import_.revision == document_.revision() ? take_it() : leave(take_it);
+  emit done(losses.isEmpty() ? did : tr("%1, with losses: %2").arg(did, losses.join("; ")));
 }
 
 void FileActions::fail(const LoadFailure& failure) {
   emit reported(failure.diagnostics);
   emit failed(failure.message);
-  reading_->end();
+  read_next();
 }
 
 void FileActions::save(const std::function<void()>& then) {
@@ -306,7 +358,7 @@ void FileActions::revert() {
     question.setDefaultButton(QMessageBox::Cancel);
     if (question.exec() != QMessageBox::Discard) return;
   }
-  after_saving([this, file] { begin(file, false); });
+  after_saving([this, file] { begin({{file}, false, AskOptions::Never, document_.revision()}); });
 }
 
 void FileActions::export_to(const QString& file) {
@@ -314,18 +366,20 @@ void FileActions::export_to(const QString& file) {
   if (format == nullptr || format->write == nullptr) {
     return emit failed(tr("Cannot export %1: no format with this extension can be written").arg(file));
   }
-  const QString name = QFileInfo(file).fileName();
-  const auto work = [file, format, scene = document_.scene(), path = document_.path(),
-                     imports = document_.imports()] {
-    grf::Diagnostics diagnostics;
-    static_cast<void>(format->write(moved(scene, path, file), file.toStdString(), diagnostics));
-    return diagnostics;
-  };
+  ExportRequest request = export_request(document_);
+  request.path = file;
+  request.format = format;
+  begin(request);
+}
+
+void FileActions::begin(const ExportRequest& request) {
+  const QString name = QFileInfo(request.path).fileName();
   const auto take = [this, name](const grf::Diagnostics& diagnostics) {
     if (diagnostics.has_errors()) return emit failed(QString::fromStdString(diagnostics.to_text()));
     emit reported(diagnostics);
     emit done(tr("Exported %1").arg(name));
   };
+  const auto work = [request] { return editor::write(request); };
   jobs_.add({tr("Export %1").arg(name), Writing, [work, take](Job& job) { job.run(work, take); }});
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "editor/document/scene_loader.h"
+#include "editor/jobs/background_job.h"
 #include "editor/window/outside_changes.h"
 #include "grf/diagnostics.h"
 
@@ -22,8 +23,16 @@ namespace editor {
 class Document;
 class Job;
 class JobList;
+struct ExportRequest;
 struct SaveRequest;
 struct SaveResult;
+
+/// When the options of an import are asked for.
+enum class AskOptions {
+  Never,         ///< those remembered for the type of the file are used
+  UnlessHidden,  ///< not if the user has hidden them for the type
+  Always
+};
 
 /// The file commands: new, open, recent, import, append, save, revert, export. Slow ones are jobs: reading
 /// has one queue, writing another.
@@ -38,9 +47,13 @@ class FileActions : public QObject {
   /// Adds the entries of the File menu, in order.
   void fill(QMenu& menu);
 
-  /// Opens or imports a file; asks first if there are unsaved changes.
-  void open(const QString& file);
-  void merge(const QString& file);
+  /// Opens or imports the first file, and appends the others in one undo step; asks first if there are
+  /// unsaved changes. Of several models of one type the options are asked for once.
+  void open(const QStringList& files, AskOptions asks = AskOptions::Never);
+  void open(const QString& file) { open(QStringList(file)); }
+  /// Appends files in one undo step.
+  void merge(const QStringList& files, AskOptions asks = AskOptions::Never);
+  void merge(const QString& file) { merge(QStringList(file)); }
   /// Saves to the scene's file, or asks for one. `then` is called once it is saved, after a question if it
   /// was edited meanwhile.
   void save(const std::function<void()>& then = {});
@@ -73,17 +86,27 @@ class FileActions : public QObject {
  private:
   void make_actions();
   void ask_where_to_save(const std::function<void()>& then);
-  /// A file to open or import.
+  /// Files to open, import or append, and what was read of them so far.
   struct Import {
-    QString file;
-    bool merges = false;         ///< whether to append it to the current scene
+    QStringList files;    ///< that are still to be read; the first one is being read
+    bool merges = false;  ///< whether to append them to the current scene
+    AskOptions asks = AskOptions::Never;
     std::uint64_t revision = 0;  ///< of the scene at the time of the request
+    QString title = {};
+    QStringList asked_types = {};
+    std::vector<std::shared_ptr<const LoadedScene>> loaded = {};
   };
 
-  void begin(const QString& file, bool merges);
+  void begin(Import import);
+  void begin(const ExportRequest& request);
   void read(Job& job, const Import& import);
   void ask_memory_limit();
   void take(const std::shared_ptr<const LoadedScene>& loaded);
+  void take_with_options(const std::shared_ptr<const LoadedScene>& loaded);
+  void keep(const std::shared_ptr<const LoadedScene>& loaded);
+  void read_next();
+  void show_loaded();
+  void append_loaded();
   void fail(const LoadFailure& failure);
   void cancel_reading();
   void write(Job& job, const QString& file);
@@ -101,14 +124,15 @@ class FileActions : public QObject {
   SceneLoader loader_;
   QPointer<Job> reading_;  ///< the job that reads
   Import import_;
+  BackgroundJob<std::shared_ptr<const LoadedScene>> applying_;  ///< options of an import
   std::vector<std::function<void()>> after_saving_;
   bool is_saved_ = false;  ///< whether the last attempt succeeded
   QList<QAction*> actions_;
   QMenu* recent_ = nullptr;
 };
 
-/// Asks for a scene or model file, in the last used folder. Empty if cancelled.
-QString ask_for_scene_or_model(QWidget& window, const QString& title);
+/// Asks for scene or model files, in the last used folder. Empty if cancelled.
+QStringList ask_for_scenes_or_models(QWidget& window, const QString& title);
 
 /// The recent files, the latest first, at most ten; stored in the settings.
 QStringList recent_files();

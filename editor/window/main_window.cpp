@@ -11,6 +11,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTabBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QUndoView>
 #include <QVBoxLayout>
@@ -370,11 +371,7 @@ void MainWindow::fail_file(const QString& message) {
   notice_->show_notice(NoticeBar::Kind::Error, message.trimmed(), choices);
 }
 
-void MainWindow::open(const QStringList& files) {
-  if (files.isEmpty()) return;
-  files_->open(files.front());
-  for (const QString& file : files.mid(1)) files_->merge(file);
-}
+void MainWindow::open(const QStringList& files) { files_->open(files); }
 
 void MainWindow::offer_lost_work() { recovery_->offer_lost_work(); }
 
@@ -425,12 +422,18 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
 
-/// Opens the first file and appends the others; with Shift appends all.
+/// Opens the first file and appends the others; with Shift appends all. Ctrl shows the import options, also
+/// if they are hidden for the type.
 void MainWindow::dropEvent(QDropEvent* event) {
   const QStringList dropped = local_files(*event->mimeData());
   event->acceptProposedAction();
-  if (!event->modifiers().testFlag(Qt::ShiftModifier)) return open(dropped);
-  for (const QString& file : dropped) files_->merge(file);
+  const auto asks =
+      event->modifiers().testFlag(Qt::ControlModifier) ? AskOptions::Always : AskOptions::UnlessHidden;
+  // The program from which they are dragged waits until this returns, and a dialog would block it.
+  QTimer::singleShot(0, this,
+                     [this, dropped, asks, appends = event->modifiers().testFlag(Qt::ShiftModifier)] {
+                       appends ? files_->merge(dropped, asks) : files_->open(dropped, asks);
+                     });
 }
 
 }  // namespace editor

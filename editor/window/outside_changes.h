@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <map>
 
-#include "editor/window/file_watch.h"
+#include "editor/document/file_watch.h"
 
 namespace editor {
 

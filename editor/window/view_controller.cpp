@@ -2,19 +2,33 @@
 
 #include <QDragMoveEvent>
 #include <QDropEvent>
+#include <QFileInfo>
 #include <QKeyEvent>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <algorithm>
 #include <utility>
 
+#include "editor/controls/form_widgets.h"
 #include "editor/document/brdf_mime.h"
+#include "editor/document/image_files.h"
 #include "editor/document/light_edits.h"
 #include "editor/panels/brdf_assignment.h"
+#include "editor/panels/texture_row.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/render_controller.h"
 
 namespace editor {
+namespace {
+
+/// The image file among dragged data; empty if there is none.
+QString image_in(const QMimeData& data) {
+  const QStringList files = local_files(data);
+  const auto image = std::ranges::find_if(files, is_image);
+  return image == files.end() ? QString() : *image;
+}
+
+}  // namespace
 
 ViewController::ViewController(Document& document, const grf::Catalogue& catalogue, SceneView& view,
                                RenderController& render, QObject* parent)
@@ -105,6 +119,10 @@ bool ViewController::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::DragEnter:
     case QEvent::DragMove: {
       auto& drag = static_cast<QDragMoveEvent&>(*event);
+      if (!image_in(*drag.mimeData()).isEmpty()) {
+        drag.acceptProposedAction();
+        return true;
+      }
       if (!drag.mimeData()->hasFormat(BrdfMimeType)) return false;
       const bool is_over_face = view_.face_at(drag.position()).has_value();
       // Qt ignores a drag whose enter event was rejected.
@@ -133,20 +151,35 @@ bool ViewController::eventFilter(QObject* watched, QEvent* event) {
 
 /// Assigns to all selected faces if one of them is hit, else only to the face.
 bool ViewController::drop(QDropEvent& event) {
-  if (!event.mimeData()->hasFormat(BrdfMimeType)) return false;
+  const QString image = image_in(*event.mimeData());
+  if (image.isEmpty() && !event.mimeData()->hasFormat(BrdfMimeType)) return false;
   const std::optional<FaceId> face = view_.face_at(event.position());
-  if (!face) return true;
-  if (!document_.selection().has(*face)) {
+  if (face && !document_.selection().has(*face)) {
     FaceSelection only(document_.objects());
     only.set(*face);
     document_.select(std::move(only));
   }
+  if (!image.isEmpty()) {
+    face ? assign_texture(document_, image) : set_environment(image);
+    event.acceptProposedAction();
+    return true;
+  }
+  if (!face) return true;
   grf::Diagnostics diagnostics;
   if (!assign_brdf(document_, catalogue_, *event.mimeData(), diagnostics)) {
     emit failed(QString::fromStdString(diagnostics.to_text()));
   }
   event.acceptProposedAction();
   return true;
+}
+
+/// Lights the scene by an image.
+void ViewController::set_environment(const QString& image) {
+  options::RenderOptions wanted = document_.options().valid_options();
+  wanted.environment = image.toStdString();
+  wanted.projection = options::RenderOptions().projection;
+  document_.options().set_options(tr("Set environment"), wanted);
+  emit status_message(tr("%1 is the environment now").arg(QFileInfo(image).fileName()));
 }
 
 void ViewController::add_observer() {

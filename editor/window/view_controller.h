@@ -16,8 +16,8 @@ class SceneView;
 struct HandleId;
 struct SurfacePoint;
 
-/// Connects the 3D view to a document: selection, moving lights, observers and the camera, BRDFs dropped on
-/// faces, and points that are picked.
+/// Connects the 3D view to a document: selection, moving lights, observers and the camera, BRDFs and images
+/// dropped on faces, and points that are picked.
 class ViewController : public QObject {
   Q_OBJECT
 
@@ -52,6 +52,7 @@ class ViewController : public QObject {
   std::optional<grf::Scene> scene_with(const HandleId& object, const grf::Vec3d& position,
                                        grf::Diagnostics& diagnostics) const;
   bool drop(QDropEvent& event);
+  void set_environment(const QString& image);
   bool pick_at(const QPointF& pixel, Qt::MouseButtons buttons);
   void end_picking();
 

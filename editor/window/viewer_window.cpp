@@ -138,7 +138,7 @@ void ViewerWindow::add_view_actions() {
   actions->fill(*bar);
 }
 
-void ViewerWindow::ask_for_file() { open(ask_for_scene_or_model(*this, tr("Open"))); }
+void ViewerWindow::ask_for_file() { open(ask_for_scenes_or_models(*this, tr("Open")).value(0)); }
 
 void ViewerWindow::open(const QString& file) {
   if (file.isEmpty()) return;

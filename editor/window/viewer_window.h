@@ -3,8 +3,8 @@
 #include <QMainWindow>
 #include <memory>
 
+#include "editor/document/file_watch.h"
 #include "editor/document/scene_loader.h"
-#include "editor/window/file_watch.h"
 
 class QAction;
 class QLabel;

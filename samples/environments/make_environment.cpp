@@ -3,8 +3,7 @@
 //   overcast  the CIE overcast sky, three times as bright at the zenith as at the horizon (Moon and Spencer
 //             1942, "Illumination from a non-uniform sky"), over grey ground
 //   sky       a clear sky with a low sun, larger than the real one, over dull ground
-//   studio    a dark room with a large soft light above, and strips of light at the left, the right and
-//   behind
+//   studio    a dark room with a large soft light above, and strips of light left, right and behind
 #include <algorithm>
 #include <array>
 #include <cmath>

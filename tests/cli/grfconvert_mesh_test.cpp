@@ -1,6 +1,7 @@
 // Tests of the options of `grfconvert` that process meshes and transform the scene.
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -17,6 +18,7 @@ using test::Bunny;
 using test::grfconvert;
 using test::TemporaryFolder;
 using test::Triangle;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -138,6 +140,41 @@ TEST(GrfconvertScene, IsTurnedScaledAndMovedInThisOrder) {
     EXPECT_NEAR(bounds["min"][i].get<double>(), least[i], 1e-6);
     EXPECT_NEAR(bounds["max"][i].get<double>(), most[i], 1e-6);
   }
+}
+
+TEST(GrfconvertScene, IsScaledFromItsUnitToMetres) {
+  const TemporaryFolder folder;
+  const std::string input = folder.add("in.obj", "v 0 0 0\nv 1000 0 0\nv 0 1000 0\nf 1 2 3\n");
+  const std::string output = folder.path("out.grf");
+  // The international inch is 25.4 mm, the foot 12 inches.
+  for (const auto& [unit, size] : std::vector<std::pair<std::string, double>>{
+           {"mm", 1}, {"cm", 10}, {"inch", 25.4}, {"foot", 304.8}, {"m", 1000}}) {
+    ASSERT_EQ(grfconvert({input, "-o", output, "--unit", unit, "-q"}).exit_code, 0);
+    const json bounds = json::parse(grfconvert({"info", "--json", output}).out)["bounds"];
+    EXPECT_NEAR(bounds["max"][0].get<double>(), size, size * 1e-6) << unit;
+  }
+  EXPECT_EQ(grfconvert({input, "-o", output, "--unit", "mile"}).exit_code, 2);
+}
+
+TEST(GrfconvertScene, KeepsOnlyTheMeshesThatAreNamed) {
+  const TemporaryFolder folder;
+  const std::string output = folder.path("out.grf");
+  const std::string input = folder.add(
+      "in.grf",
+      "def leg = begin mesh \"leg\"" + test::Faces + " def paint = rgb (1, 0, 0) begin begin mesh \"seat\"" +
+          test::Faces +
+          " transform translation (1, 0, 0) begin use leg end use leg begin mesh \"back\" rgb paint" +
+          test::Faces + " end");
+  ASSERT_EQ(grfconvert({input, "-o", output, "-q", "--only", "seat", "--only", "back"}).exit_code, 0);
+  std::string kept = test::bytes_of(output);
+  EXPECT_THAT(kept, AllOf(HasSubstr("\"seat\""), HasSubstr("\"back\""), HasSubstr("def paint")));
+  EXPECT_THAT(kept, AllOf(Not(HasSubstr("leg")), Not(HasSubstr("transform"))));
+  ASSERT_EQ(grfconvert({"--only", "leg", input, "-o", output, "-q"}).exit_code, 0);
+  kept = test::bytes_of(output);
+  EXPECT_THAT(kept, AllOf(HasSubstr("translation"), HasSubstr("use leg"), Not(HasSubstr("seat"))));
+  const test::Outcome unknown = grfconvert({input, "-o", output, "--only", "arm"});
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_THAT(unknown.err, HasSubstr("error: no mesh is called 'arm'"));
 }
 
 TEST(GrfconvertScene, StaysAsItIsWithoutOptions) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "converters/format.h"
+#include "converters/scene_building.h"
 #include "grf/read.h"
 #include "grf/summary.h"
 #include "tests/support/temporary_folder.h"
@@ -39,9 +40,10 @@ TEST(Grfconvert, ConvertsARealModelAndLosesNothingOnTheWay) {
 
   grf::Diagnostics diagnostics;
   const auto written = grf::read(output, diagnostics);
-  const auto imported = convert::read(*convert::find_format("obj"), Bunny, {}, diagnostics);
+  auto imported = convert::read(*convert::find_format("obj"), Bunny, {}, diagnostics);
   ASSERT_TRUE(written.has_value()) << diagnostics.to_text();
   ASSERT_TRUE(imported.has_value());
+  convert::name_meshes(imported->scene, Bunny);
   EXPECT_TRUE(*written == imported->scene);
   const grf::Summary summary = grf::summarize(*written);
   EXPECT_EQ(summary.vertices, 34835U);
@@ -124,11 +126,72 @@ TEST(Grfconvert, NeverReplacesItsInputByAnotherFormat) {
   EXPECT_EQ(test::bytes_of(input), Triangle);
 }
 
+TEST(Grfconvert, NamesMeshesAfterTheirFileWhereItDoesNot) {
+  const TemporaryFolder folder;
+  const auto grf_of = [&](const std::string& name, const std::string& bytes) {
+    const std::string output = folder.path("out.grf");
+    const test::Outcome outcome = grfconvert({folder.add(name, bytes), "-o", output});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return test::bytes_of(output);
+  };
+  folder.add("wood.mtl", "newmtl Old oak\nKd 0.4 0.3 0.2\n");
+  const std::string obj = grf_of("chair.obj", "mtllib wood.mtl\nusemtl Old oak\n" + Triangle);
+  EXPECT_THAT(obj, HasSubstr("begin mesh \"chair\"\n"));
+  EXPECT_THAT(obj, HasSubstr("Old$20$oak = brdf diffuse kd=(0.4, 0.3, 0.2)")) << "names of materials stay";
+  const std::string ply = grf_of("my chair.ply",
+                                 "ply\nformat ascii 1.0\ncomment material 0 oak\nelement vertex 3\n"
+                                 "property float x\nproperty float y\nproperty float z\nelement face 1\n"
+                                 "property list uchar int vertex_indices\nproperty int material_index\n"
+                                 "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0\n");
+  EXPECT_THAT(ply, HasSubstr("begin mesh \"my chair\"\n"));
+  EXPECT_THAT(ply, HasSubstr("oak = brdf diffuse"));
+  EXPECT_THAT(grf_of("stool.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+              HasSubstr("begin mesh \"stool\"\n"));
+  EXPECT_THAT(grfconvert({folder.path("stool.off"), "-o", folder.path("out.ply")}).err,
+              Not(HasSubstr("name")))
+      << "names that were not there cannot be lost";
+  const std::string named = grf_of("chair.obj", "o seat\n" + Triangle);
+  EXPECT_THAT(named, HasSubstr("begin mesh \"seat\"\n"));
+  const std::string models = "/usr/share/assimp/models/";
+  for (const auto& [file, material] :
+       {std::pair("3DS/fels.3ds", "Default = brdf diffuse kd=0.7843138\n"),
+        std::pair("glTF2/BoxTextured-glTF-Binary/BoxTextured.glb", "Texture = brdf ashikhmin ")}) {
+    EXPECT_EQ(grfconvert({models + file, "-o", folder.path("out.grf")}).exit_code, 0);
+    EXPECT_THAT(test::bytes_of(folder.path("out.grf")), HasSubstr(material)) << file;
+  }
+}
+
+TEST(Grfconvert, NumbersFurtherMeshesWithoutAName) {
+  const TemporaryFolder folder;
+  // Two meshes without a name, of which the first is used twice, and one called as the file.
+  const std::string text = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2, 3]}],
+    "nodes": [{"mesh": 0}, {"mesh": 0, "translation": [2, 0, 0]}, {"mesh": 1}, {"mesh": 2, "name": "lamp"}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]},
+               {"primitives": [{"attributes": {"POSITION": 0}}]},
+               {"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                   "min": [0, 0, 0], "max": [1, 1, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)"
+                           "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}";
+  const std::string model = folder.add("lamp.gltf", text);
+  EXPECT_EQ(grfconvert({model, "-o", folder.path("out.grf")}).exit_code, 0);
+  const std::string grf = test::bytes_of(folder.path("out.grf"));
+  EXPECT_THAT(grf, HasSubstr("def lamp = begin mesh \"lamp_2\"\n"));
+  EXPECT_THAT(grf, HasSubstr("begin mesh \"lamp_3\"\n"));
+  EXPECT_THAT(grf, HasSubstr("begin mesh \"lamp\"\n"));
+  const std::string plain = folder.add("plain.grf", "begin mesh brdf ward" + Faces);
+  EXPECT_EQ(grfconvert({plain, "-o", folder.path("plain.glb")}).exit_code, 0);
+  EXPECT_EQ(grfconvert({folder.path("plain.glb"), "-o", folder.path("back.grf")}).exit_code, 0);
+  EXPECT_THAT(test::bytes_of(folder.path("back.grf")), StartsWith("begin mesh\n"))
+      << "a scene of GRF stays as it is";
+}
+
 TEST(Grfconvert, OptionsSayTheFormatsWhateverTheNames) {
   const TemporaryFolder folder;
   const std::string input = folder.add("model.txt", "# nothing that tells\n" + Triangle);
   EXPECT_EQ(grfconvert({input, "--from", "OBJ", "--to", "grf", "-o", folder.path("scene.txt")}).exit_code, 0);
-  EXPECT_THAT(test::bytes_of(folder.path("scene.txt")), StartsWith("begin mesh\n"));
+  EXPECT_THAT(test::bytes_of(folder.path("scene.txt")), StartsWith("begin mesh \"model\"\n"));
   EXPECT_THAT(grfconvert({input, "--from", "grf", "-o", folder.path("x.grf")}).err, HasSubstr("error: "));
 }
 

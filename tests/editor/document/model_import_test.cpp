@@ -79,7 +79,7 @@ TEST_F(ModelImports, LeaveNothingOnceNobodyNeedsIt) {
   EXPECT_EQ(left().size(), 1);
   const QDir folder(import_folder() + "/" + left().front());
   EXPECT_EQ(folder.entryList(QDir::Files).size(), 1) << "the image, and not the scene";
-  document.merge_import("Append", *imported(box));
+  document.merge_imports("Append", {*imported(box)});
   EXPECT_EQ(left().size(), 2);
   document.undo_stack().undo();
   grf::Diagnostics diagnostics;

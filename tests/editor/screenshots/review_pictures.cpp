@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QPainter>
+#include <QSettings>
 #include <QTest>
 #include <algorithm>
 #include <utility>
@@ -16,6 +17,9 @@
 #include "editor/image/image_window.h"
 #include "editor/options/options_window.h"
 #include "editor/panels/surface_panel.h"
+#include "editor/view/scene_view.h"
+#include "editor/window/export_dialog.h"
+#include "editor/window/import_dialog.h"
 #include "editor/window/viewer_window.h"
 #include "tests/editor/screenshots/pictures.h"
 #include "tests/editor/screenshots/stage.h"
@@ -153,6 +157,33 @@ void mistakes(const Take& take) {
 
 void images(const Take& take) { take("images", compared_images()); }
 
+/// A dialog, once the pictures and lists in it are complete.
+QPixmap dialog_picture(QDialog& dialog) {
+  dialog.show();
+  expect(QTest::qWaitForWindowExposed(&dialog), "the dialog did not show");
+  for (const auto* view : dialog.findChildren<editor::SceneView*>()) {
+    expect(QTest::qWaitFor([view] { return view->is_complete(); }, Minute), "the model is not drawn");
+  }
+  QTest::qWait(500);
+  return dialog.grab();
+}
+
+void dialogs(const Take& take) {
+  editor::SceneLoader loader;
+  std::shared_ptr<const editor::LoadedScene> loaded;
+  QObject::connect(&loader, &editor::SceneLoader::loaded, &loader,
+                   [&loaded](const auto& scene) { loaded = scene; });
+  loader.start("/usr/share/assimp/models/OBJ/spider.obj");
+  expect(QTest::qWaitFor([&loaded] { return loaded != nullptr; }, Minute), "the model was not read");
+  editor::ImportDialog import(loaded, nullptr);
+  take("import_dialog", dialog_picture(import));
+  editor::Document document;
+  document.take_import(loaded->model);
+  QSettings().setValue("export/format", "stl");
+  editor::ExportDialog exporting(editor::export_request(document), "spider", nullptr);
+  take("export_dialog", dialog_picture(exporting));
+}
+
 void windows(const Take& take) {
   take("options", option_window());
   take("viewer", viewer_window());
@@ -244,7 +275,8 @@ void focus(const Take& take) {
 std::vector<ReviewGroup> review_groups() {
   return {{"docks", docks},     {"small", small_window}, {"empty", empty},       {"jobs", jobs},
           {"lights", lights},   {"render", render},      {"mistakes", mistakes}, {"images", images},
-          {"windows", windows}, {"studies", studies},    {"modes", modes},       {"focus", focus}};
+          {"dialogs", dialogs}, {"windows", windows},    {"studies", studies},   {"modes", modes},
+          {"focus", focus}};
 }
 
 }  // namespace screenshots

@@ -379,6 +379,34 @@ TEST(SceneView, AMissingTextureIsSaid) {
   EXPECT_TRUE(spy.front().front().toString().contains("nowhere.png"));
 }
 
+TEST(SceneView, FollowsATextureThatChangesOnDisk) {
+  const test::TemporaryFolder folder;
+  const QString file = QString::fromStdString(folder.path("paint.png"));
+  const auto paint = [&file](QColor colour) {
+    QImage image(8, 8, QImage::Format_RGB32);
+    image.fill(colour);
+    ASSERT_TRUE(image.save(file));
+  };
+  paint(Qt::red);
+  ShownView shown(test::objects_of_text(test::cube_text("texture \"" + file.toStdString() + "\"")));
+  shown.view.set_mode(DisplayMode::Textured);
+  const auto shows = [&shown](auto is_wanted) {
+    return test::wait_for([&] {
+      const QImage picture = shown.view.grab().toImage();
+      return shown.view.is_complete() &&
+             is_wanted(picture.pixelColor(picture.width() / 2, picture.height() / 2));
+    });
+  };
+  const auto is_red = [](const QColor& colour) { return colour.red() > 2 * colour.green(); };
+  const auto is_green = [](const QColor& colour) { return colour.green() > 2 * colour.red(); };
+  ASSERT_TRUE(shows(is_red));
+  paint(Qt::green);
+  EXPECT_TRUE(shows(is_green));
+  ASSERT_TRUE(QFile::remove(file));  // as by a program that replaces files
+  paint(Qt::red);
+  EXPECT_TRUE(shows(is_red));
+}
+
 /// A texture whose decoder crashes is reported, and the rest is drawn.
 TEST(SceneView, OutlivesADecoderOfTexturesThatCrashes) {
   const test::TemporaryFolder folder;

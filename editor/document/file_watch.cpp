@@ -1,4 +1,4 @@
-#include "editor/window/file_watch.h"
+#include "editor/document/file_watch.h"
 
 #include <QFileInfo>
 #include <utility>
@@ -47,13 +47,13 @@ void FileWatch::watch() {
 
 void FileWatch::compare() {
   watch();
-  bool is_other = false;
+  QStringList others;
   for (auto& [file, stamp] : files_) {
     const FileStamp now = FileStamp::of(file);
-    is_other |= now != stamp;
+    if (now != stamp) others.append(file);
     stamp = now;
   }
-  if (is_other) emit changed();
+  if (!others.isEmpty()) emit changed(others);
 }
 
 }  // namespace editor

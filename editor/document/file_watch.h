@@ -31,8 +31,8 @@ class FileWatch : public QObject {
   void follow(const QStringList& files);
 
  signals:
-  /// Emitted when a file is modified, created or deleted.
-  void changed();
+  /// Emitted with the absolute paths of files that were modified, created or deleted.
+  void changed(const QStringList& files);
 
  private:
   void watch();
