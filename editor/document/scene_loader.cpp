@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "converters/format.h"
+#include "editor/document/reimport.h"
 #include "grf/read.h"
 
 namespace editor {
@@ -106,8 +107,13 @@ SceneLoader::Outcome SceneLoader::read(const QString& file) {
 }
 
 void SceneLoader::take_model(const std::shared_ptr<const ImportedModel>& model) {
-  reading_.start([file = file_, model](const StopFlag&) { return outcome_of(file, *model); },
-                 [this](const Outcome& outcome) { take(outcome); });
+  reading_.start(
+      [file = file_, model](const StopFlag&) {
+        ImportedModel marked = *model;
+        mark_imported(marked.scene, file);
+        return outcome_of(file, std::move(marked));
+      },
+      [this](const Outcome& outcome) { take(outcome); });
 }
 
 void SceneLoader::take(const Outcome& outcome) {

@@ -19,6 +19,7 @@
 #include "editor/document/document.h"
 #include "editor/document/import_options.h"
 #include "editor/document/model_import.h"
+#include "editor/document/reimport.h"
 #include "editor/document/save.h"
 #include "editor/document/scene_export.h"
 #include "editor/jobs/job_list.h"
@@ -102,6 +103,9 @@ void FileActions::make_actions() {
   add(tr("Append with op&tions..."), {}, QKeySequence("Ctrl+Alt+I"),
       tr("Append models, and show the import options, also if they are hidden for their type"),
       [this] { merge(ask_for_scenes_or_models(window_, tr("Append")), AskOptions::Always); });
+  add(tr("Re&import"), {}, QKeySequence("Ctrl+Alt+J"),
+      tr("Read the file of the selected imported object again; its faces keep what was assigned to them"),
+      [this] { reimport(); });
   add(tr("&Save"), "save", QKeySequence::Save, tr("Save the scene"), [this] { save(); });
   add(tr("Save &as..."), {}, QKeySequence("Ctrl+Shift+S"), tr("Save the scene under another name"),
       [this] { ask_where_to_save({}); });
@@ -121,7 +125,7 @@ void FileActions::fill(QMenu& menu) {
   connect(recent_, &QMenu::aboutToShow, this, &FileActions::update_recent);
   update_recent();
   for (int i = 2; i < actions_.size(); ++i) {
-    if (i == 4 || i == 7) menu.addSeparator();
+    if (i == 5 || i == 8) menu.addSeparator();
     menu.addAction(actions_[i]);
   }
   menu.addSeparator();
@@ -184,13 +188,33 @@ void FileActions::merge(const QStringList& files, AskOptions asks) {
   after_saving([this, files, asks] { begin({files, true, asks, document_.revision()}); });
 }
 
+void FileActions::reimport() {
+  const std::vector<grf::ScenePath>& selected = document_.selected_objects();
+  const QString source = selected.empty() ? QString() : import_source(document_.scene(), selected.back());
+  if (source.isEmpty()) {
+    return emit failed(
+        tr("Select an object that was imported from a file of another format, to read that file again."));
+  }
+  QString file = source;
+  if (!QFileInfo::exists(file)) {
+    file = QFileDialog::getOpenFileName(&window_,
+                                        tr("%1 is gone: choose the file").arg(QFileInfo(source).fileName()),
+                                        QFileInfo(source).path());
+    if (file.isEmpty()) return;
+  }
+  Import import = {{file}, true, AskOptions::Never, document_.revision()};
+  import.reimported = source;
+  begin(std::move(import));
+}
+
 bool FileActions::is_importing() const { return jobs_.is_busy(Reading); }
 
 bool FileActions::is_saving() const { return jobs_.is_busy(Writing); }
 
 void FileActions::begin(Import import) {
   const QString name = QFileInfo(import.files.front()).fileName();
-  import.title = import.files.size() > 1        ? tr("Append %1 files").arg(import.files.size())
+  import.title = !import.reimported.isEmpty()   ? tr("Reimport %1").arg(name)
+                 : import.files.size() > 1      ? tr("Append %1 files").arg(import.files.size())
                  : import.merges                ? tr("Append %1").arg(name)
                  : is_grf(import.files.front()) ? tr("Open %1").arg(name)
                                                 : tr("Import %1").arg(name);
@@ -245,7 +269,13 @@ void FileActions::read_next() {
   const QPointer<Job> job = reading_;
   import_.files.removeFirst();
   if (!import_.files.isEmpty()) return loader_.start(import_.files.front());
-  if (!import_.loaded.empty()) import_.merges ? append_loaded() : show_loaded();
+  if (!import_.loaded.empty()) {
+    if (!import_.reimported.isEmpty()) {
+      take_reimported();
+    } else {
+      import_.merges ? append_loaded() : show_loaded();
+    }
+  }
   if (job) job->end();  // a question may have taken so long that the job was cancelled
 }
 
@@ -262,6 +292,21 @@ void FileActions::append_loaded() {
   const QString did = models.size() == 1 ? tr("Appended %1").arg(QFileInfo(path).fileName())
                                          : tr("Appended %1 files").arg(models.size());
   emit done(losses.isEmpty() ? did : tr("%1, with losses: %2").arg(did, losses.join("; ")));
+}
+
+void FileActions::take_reimported() {
+  const std::shared_ptr<const LoadedScene> loaded = std::exchange(import_.loaded, {}).front();
+  Reimported now = editor::reimported(document_.scene(), import_.reimported, loaded->model.scene);
+  if (now.meshes > 0) document_.replace(import_.title, std::move(now.scene));
+  const QString name = QFileInfo(loaded->path).fileName();
+  const QString did = now.meshes == 0 ? tr("Reimported %1: its objects are the same").arg(name)
+                                      : tr("Reimported %1: %2 objects changed").arg(name).arg(now.meshes);
+  if (now.problems.isEmpty()) return emit done(did);
+  grf::Diagnostics diagnostics;
+  for (const QString& problem : now.problems)
+    diagnostics.warning(grf::whole_file(loaded->path.toStdString()), problem.toStdString());
+  emit reported(diagnostics);
+  emit done(tr("%1. %2").arg(did, now.problems.join("; ")));
 }
 
 void FileActions::show_loaded() {

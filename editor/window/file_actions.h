@@ -54,6 +54,9 @@ class FileActions : public QObject {
   /// Appends files in one undo step.
   void merge(const QStringList& files, AskOptions asks = AskOptions::Never);
   void merge(const QString& file) { merge(QStringList(file)); }
+  /// Reads the file again from which the active object was imported, or another one if it is gone. Its faces
+  /// keep what was assigned to them.
+  void reimport();
   /// Saves to the scene's file, or asks for one. `then` is called once it is saved, after a question if it
   /// was edited meanwhile.
   void save(const std::function<void()>& then = {});
@@ -92,6 +95,8 @@ class FileActions : public QObject {
     bool merges = false;  ///< whether to append them to the current scene
     AskOptions asks = AskOptions::Never;
     std::uint64_t revision = 0;  ///< of the scene at the time of the request
+    QString reimported =
+        {};  ///< the file from which the meshes came that are read again; empty for other imports
     QString title = {};
     QStringList asked_types = {};
     std::vector<std::shared_ptr<const LoadedScene>> loaded = {};
@@ -107,6 +112,7 @@ class FileActions : public QObject {
   void read_next();
   void show_loaded();
   void append_loaded();
+  void take_reimported();
   void fail(const LoadFailure& failure);
   void cancel_reading();
   void write(Job& job, const QString& file);

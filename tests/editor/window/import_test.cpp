@@ -121,6 +121,34 @@ TEST_F(Importing, AppendsSeveralFilesInOneStepAndAsksOnce) {
   EXPECT_EQ(document().undo_stack().count(), 2) << "two drops are two steps";
 }
 
+TEST_F(Importing, ReadsAChangedModelAgain) {
+  const QString file = model("chair.obj");
+  open(file);
+  test::action(window_, "All").trigger();
+  SurfaceEdit red;
+  red.colour = AttributeEdit<grf::ColourAttribute>::set(grf::Colour(1, 0, 0));
+  document().edit_surfaces("Colour", red);
+  document().select_objects({document().objects().instances->at(0).path});
+  const QSignalSpy done(&window_.files(), &FileActions::done);
+  folder_.add("chair.obj", "v 0 0 0\nv 500 0 0\nv 0 0 2000\nf 1 2 3\nf 1 3 2\no rest\nf 1 2 3\n");
+  QTest::keyClick(&window_, Qt::Key_J, Qt::ControlModifier | Qt::AltModifier);
+  ASSERT_TRUE(are_jobs_done());
+  EXPECT_EQ(document().undo_stack().undoText(), "Reimport chair.obj");
+  EXPECT_EQ(document().objects().mesh_bounds.max.x, 500);
+  EXPECT_EQ(document().objects().faces, 3U);
+  EXPECT_EQ(faces_where([](const grf::Surface& surface) { return surface.colour.has_value(); }), 3U)
+      << "the whole mesh is red";
+  ASSERT_EQ(done.size(), 1);
+  EXPECT_THAT(done[0][0].toString().toStdString(), testing::HasSubstr("chair has 1 more face,"));
+  document().undo_stack().undo();
+  EXPECT_EQ(document().objects().mesh_bounds.max.x, 1000);
+  document().select_objects({});
+  QTest::keyClick(&window_, Qt::Key_J, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_TRUE(window_.jobs().jobs().empty());
+  EXPECT_THAT(window_.notice().text().toStdString(),
+              testing::HasSubstr("Select an object that was imported"));
+}
+
 TEST_F(Importing, OpensTheFilesThatAreTyped) {
   const DialogUser user([](ImportDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Return); });
   {
