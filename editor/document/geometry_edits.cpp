@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "converters/mesh_operations/normals.h"
+#include "converters/mesh_operations/orient.h"
 #include "converters/mesh_operations/rebuild.h"
 #include "converters/mesh_operations/smooth.h"
 #include "converters/mesh_operations/subdivide.h"
@@ -132,6 +133,21 @@ grf::Scene with_flat_faces(const SelectedFaces& faces) {
 }
 
 grf::Scene flipped(const SelectedFaces& faces) { return edited_scene(faces, flipped_mesh); }
+
+grf::Scene with_outward_faces(const SelectedFaces& faces) {
+  return with_edited_meshes(faces, convert::oriented_outward);
+}
+
+FaceSelection inward_faces(const SelectedFaces& faces) {
+  FaceSelection found(faces.objects);
+  for (const std::uint32_t mesh : faces.selection.meshes()) {
+    const std::vector<bool> inward = convert::inward_faces(faces.objects.meshes[mesh].mesh->geometry);
+    for (std::uint32_t face = 0; face < inward.size(); ++face) {
+      if (inward[face]) found.set({mesh, face});
+    }
+  }
+  return found;
+}
 
 grf::Scene with_vertex_colours(const SelectedFaces& faces, std::optional<grf::Colour> colour) {
   const auto edit = [&colour](const grf::Mesh& mesh) {

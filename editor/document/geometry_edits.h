@@ -32,6 +32,11 @@ grf::Scene with_smooth_normals(const SelectedFaces& faces, double crease);
 grf::Scene with_flat_faces(const SelectedFaces& faces);
 /// Reverses the orientation and the normals of the faces.
 grf::Scene flipped(const SelectedFaces& faces);
+/// Makes the faces of the meshes of these faces agree in their orientation and point outward, see
+/// `convert::inward_faces`.
+grf::Scene with_outward_faces(const SelectedFaces& faces);
+/// The faces that this would reverse, of the meshes of these faces.
+FaceSelection inward_faces(const SelectedFaces& faces);
 /// Sets or removes the colour of the faces' vertices.
 grf::Scene with_vertex_colours(const SelectedFaces& faces, std::optional<grf::Colour> colour);
 /// Sets or removes the irradiance of the faces' vertices, from all directions together, in W/m2.

@@ -199,7 +199,9 @@ std::optional<OpText> OpDocument::text_with(const RenderOptions& wanted) const {
 
 void OpDocument::push(const OpText& text, const QString& title, const QString& key) {
   std::string after = text.text();
-  if (after != text_.text()) stack_->push(new Edit(*this, std::move(after), title, key));
+  if (after != text_.text()) return stack_->push(new Edit(*this, std::move(after), title, key));
+  // What followed an edit so far, such as the camera of the view, is set by the author now.
+  is_edited_ = is_edited_ || after != read_text_;
 }
 
 void OpDocument::take(const std::string& text) {

@@ -29,6 +29,14 @@ bool has_other(const options::OpText& text, const RenderOptions& there, const Re
   return words && set_option(unused, option, *words);
 }
 
+/// Returns an absolute path relative to a folder, so that both can be moved together; paths that climb far
+/// stay.
+std::string short_path(const QDir& folder, const std::string& path) {
+  if (!QDir::isAbsolutePath(QString::fromStdString(path))) return path;
+  const QString relative = folder.relativeFilePath(QString::fromStdString(path));
+  return relative.startsWith(QStringLiteral("../../../")) ? path : relative.toStdString();
+}
+
 }  // namespace
 
 QString op_file_beside(const QString& scene_path) {
@@ -49,14 +57,14 @@ RenderOptions with_absolute_paths(RenderOptions render_options, const QString& s
 
 std::optional<std::string> op_text_of(const RenderOptions& render_options, const QString& op_path,
                                       const std::string& before, grf::Diagnostics& diagnostics) {
-  const std::string folder = QFileInfo(op_path).absolutePath().toStdString() + "/";
+  const QDir folder = QFileInfo(op_path).absoluteDir();
   options::OpText text(before);
   const RenderOptions there = with_absolute_paths(text.options(), op_path);
   for (const OptionInfo& option : options::option_table()) {
     if (!has_other(text, there, render_options, option)) continue;
     std::vector<std::string> words = option_words(render_options, option);
     for (std::string& word : words) {
-      if (path_option(option) != nullptr && word.starts_with(folder)) word.erase(0, folder.size());
+      if (path_option(option) != nullptr) word = short_path(folder, word);
     }
     if (text.set(option, words)) continue;
     diagnostics.error(grf::whole_file(op_path.toStdString()),

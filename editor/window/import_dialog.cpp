@@ -67,7 +67,7 @@ ImportDialog::ImportDialog(std::shared_ptr<const LoadedScene> loaded, QWidget* p
   rows->addLayout(columns, 1);
   skips_ = new QCheckBox(tr("Do not show &again for .%1 files").arg(type_), this);
   skips_->setAccessibleName(tr("Do not show again"));
-  skips_->setToolTip(tr("Import with these options at once; File > Import with options shows them again"));
+  skips_->setToolTip(tr("Import with these options at once; File > Append with options shows them again"));
   skips_->setChecked(!asks_for_import_options(type_));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   import_ = buttons->button(QDialogButtonBox::Ok);

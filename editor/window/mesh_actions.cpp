@@ -69,6 +69,21 @@ MeshActions::MeshActions(Document& document, JobList& jobs, QWidget& window)
       tr("Subdivide the meshes %1; they are triangulated, and each triangle becomes four"),
       [this] { subdivide(convert::SubdivisionScheme::Loop); });
   add(tr("&Smooth vertices"), tr("Smooth noise and small features of the meshes %1"), [this] { smooth(); });
+  of_meshes_.append(
+      new_action(window,
+                 {tr("&Recalculate outside"),
+                  {},
+                  QKeySequence("Shift+N"),
+                  tr("Make the normals of the faces agree and point outward, in the meshes %1").arg(whole)},
+                 [this] { start(tr("Recalculate outside"), selected_or_all(), with_outward_faces); }));
+  of_meshes_.append(
+      new_action(window,
+                 {tr("Select &inward faces"),
+                  {},
+                  QKeySequence("Ctrl+Shift+N"),
+                  tr("Select the faces whose normals point inward (flipped normals), in the meshes of the "
+                     "selected faces, or in all if none is selected")},
+                 [this] { select_inward(); }));
   connect(&jobs_, &JobList::changed, this, [this] {
     for (QAction* action : all()) action->setEnabled(!jobs_.is_busy(MeshQueue));
   });
@@ -104,6 +119,24 @@ void MeshActions::smooth() {
   if (selection.empty()) return emit status_message(tr("The scene has no mesh"));
   start(tr("Smooth vertices"), selection,
         [](const SelectedFaces& selected) { return with_smooth_meshes(selected, SmoothingSteps); });
+}
+
+void MeshActions::select_inward() {
+  const std::shared_ptr<const SceneObjects> objects = document_.shared_objects();
+  const auto find = [scene = document_.scene(), objects, selection = selected_or_all()] {
+    return inward_faces({scene, *objects, selection});
+  };
+  const auto take = [this, objects](const FaceSelection& found) {
+    if (document_.shared_objects() != objects) return;  // of a scene that was edited meanwhile
+    if (found.empty()) emit status_message(tr("All faces point outward"));
+    document_.select(found);
+  };
+  if (objects->faces < FewFaces) return take(find());
+  jobs_.add({tr("Find inward faces"),
+             MeshQueue,
+             [find, take](Job& job) { job.run(find, take); },
+             {},
+             tr("Cancel: the selection stays as it is")});
 }
 
 void MeshActions::remove() {

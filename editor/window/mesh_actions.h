@@ -40,6 +40,7 @@ class MeshActions : public QObject {
 
   void subdivide(convert::SubdivisionScheme scheme);
   void smooth();
+  void select_inward();
   void remove();
   void start(const QString& title, const FaceSelection& selection, const Edit& edit);
   void take(const QString& title, const Edited& edited);

@@ -40,7 +40,9 @@ const std::vector<PresetTable>& preset_tables() {
        {{"gold", "torrance rough=0.2 nreal=0.37 nimag=2.82 ks=(1, 0.78, 0.34) kd=0"},
         {"silver", "torrance rough=0.2 nreal=0.177 nimag=3.638 ks=(1, 0.98, 0.94) kd=0"},
         {"copper", "torrance rough=0.2 nreal=0.617 nimag=2.63 ks=(1, 0.68, 0.54) kd=0"},
-        {"iron", "torrance rough=0.2 nreal=2.485 nimag=3.433 ks=(1, 0.99, 0.97) kd=0"}}}};
+        {"iron", "torrance rough=0.2 nreal=2.485 nimag=3.433 ks=(1, 0.99, 0.97) kd=0"}}},
+      // Cloth with a pile is brighter at grazing angles, as Minnaert's model is with k under 1.
+      {"Fabrics", {{"felt", "minnaert k=0.9 kd=0.7"}, {"velvet", "minnaert k=0.6 kd=0.5"}}}};
   return tables;
 }
 
