@@ -23,6 +23,7 @@ find_package(ZLIB REQUIRED)
 # Only the editor needs these: without Qt, everything else is built and tested.
 find_package(Qt6 6.4 COMPONENTS Concurrent Network OpenGLWidgets PrintSupport Svg Test Widgets)
 if(Qt6_FOUND)
+  find_package(Qt6 6.4 REQUIRED COMPONENTS LinguistTools)
   find_package(QCustomPlotQt6 REQUIRED)
   find_package(muparser REQUIRED)
 endif()

@@ -2,13 +2,14 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QElapsedTimer>
-#include <QSettings>
 #include <QTimer>
 #include <algorithm>
 #include <iostream>
 #include <memory>
 
 #include "editor/appearance/theme.h"
+#include "editor/appearance/translation.h"
+#include "editor/document/preferences.h"
 #include "editor/jobs/job.h"
 #include "editor/tools/scene_reading.h"
 #include "editor/tools/tool_window.h"
@@ -140,8 +141,9 @@ int main(int argc, char** argv) {
   if (parser.isSet(output))
     return make_figure(parser.value(state), parser.value(tool), parser.positionalArguments(),
                        parser.value(output));
-  const QString look =
-      parser.isSet(theme) ? parser.value(theme) : QSettings().value("theme", "dark").toString();
+  const editor::Preferences preferences = editor::Preferences::load();
+  editor::install_translation(*application, preferences.language);
+  const QString look = parser.isSet(theme) ? parser.value(theme) : preferences.theme;
   if (look != "dark" && look != "light") return fail("--theme must be dark or light, not " + look);
   editor::apply(look == "light" ? editor::Theme::Light : editor::Theme::Dark, *qApp);
 

@@ -25,7 +25,8 @@ constexpr int UnfoldedWidth = 110 * Grid;
 /// The hint of views that cannot show an invalid BRDF.
 QString hint_of(const std::vector<QString>& errors) {
   if (errors.empty()) return {};
-  return "Cannot show this BRDF:\n" + QStringList(errors.begin(), errors.end()).join('\n');
+  return BrdfEditor::tr("Cannot show this BRDF:") + '\n' +
+         QStringList(errors.begin(), errors.end()).join('\n');
 }
 
 /// A slider and a number box for one parameter of a view.
@@ -81,10 +82,10 @@ BrdfEditor::BrdfEditor(QWidget* parent) : QWidget(parent) {
   auto* grid = tight_layout<QGridLayout>(holder, Grid);
   plots_ = new BrdfPlots;
   library_ = new BrdfLibrary;
-  add_view(View::Sphere, "sphere", "Sphere", "The BRDF on a sphere", sphere_with_exposure());
-  add_view(View::Lobe, "lobe", "Lobe", "The lobe in three dimensions", lobe_with_choices());
-  add_view(View::Plots, "curve", "Plots", "Plots in the plane of incidence, and albedo", plots_);
-  add_view(View::Library, "library", "Library", "Presets, BRDFs of the scene, and your own library",
+  add_view(View::Sphere, "sphere", tr("Sphere"), tr("The BRDF on a sphere"), sphere_with_exposure());
+  add_view(View::Lobe, "lobe", tr("Lobe"), tr("The lobe in three dimensions"), lobe_with_choices());
+  add_view(View::Plots, "curve", tr("Plots"), tr("Plots in the plane of incidence, and albedo"), plots_);
+  add_view(View::Library, "library", tr("Library"), tr("Presets, BRDFs of the scene, and your own library"),
            library_);
   // Only now, so that the tab order visits the buttons of all views before the contents of one.
   for (std::size_t i = 0; i < views_.size(); ++i)
@@ -133,7 +134,7 @@ QWidget* BrdfEditor::sphere_with_exposure() {
   sphere_ = new LiveSphere;
   column->addWidget(sphere_, 1);
   auto* row = new QHBoxLayout;
-  add_number(*row, "Exposure", "Exposure of the sphere in stops", "", -5, 5, 0,
+  add_number(*row, tr("Exposure"), tr("Exposure of the sphere in stops"), "", -5, 5, 0,
              [this](double stops) { sphere_->set_exposure(stops); });
   column->addLayout(row);
   return holder;
@@ -145,15 +146,15 @@ QWidget* BrdfEditor::lobe_with_choices() {
   lobe_ = new LobeView;
   column->addWidget(lobe_, 1);
   auto* row = new QHBoxLayout;
-  add_number(*row, "View", "View angle from the normal, in degrees", "deg", 0, 89, lobe_->view(),
+  add_number(*row, tr("View"), tr("View angle from the normal, in degrees"), "deg", 0, 89, lobe_->view(),
              [this](double degrees) { lobe_->set_view(degrees); });
   auto* cosine = new QCheckBox("cos");
   cosine->setChecked(true);
-  cosine->setToolTip("Multiply by the cosine of the light direction");
-  cosine->setAccessibleName("Times cosine");
-  auto* logarithmic = new QCheckBox("Log");
-  logarithmic->setToolTip("Logarithmic radius over five decades");
-  logarithmic->setAccessibleName("Logarithmic radius");
+  cosine->setToolTip(tr("Multiply by the cosine of the light direction"));
+  cosine->setAccessibleName(tr("Times cosine"));
+  auto* logarithmic = new QCheckBox(tr("Log"));
+  logarithmic->setToolTip(tr("Logarithmic radius over five decades"));
+  logarithmic->setAccessibleName(tr("Logarithmic radius"));
   row->addWidget(cosine);
   row->addWidget(logarithmic);
   connect(cosine, &QCheckBox::toggled, lobe_, &LobeView::set_with_cosine);
@@ -215,7 +216,7 @@ void BrdfEditor::show_brdf() {
   };
   if (models().empty()) {
     library_->set_current(std::nullopt);
-    return show(nullptr, "Select faces to see their BRDF.");
+    return show(nullptr, tr("Select faces to see their BRDF."));
   }
   const auto show_made = [show](const CompiledBrdf& made) { show(made.brdf, hint_of(made.errors)); };
   const grf::BrdfModel& model = models().front();

@@ -50,8 +50,8 @@ void add_presets(std::vector<LibraryEntry>& entries) {
   }
   for (const grf::ModelInfo& info : reflectance::brdf_infos()) {
     if (info.example.empty()) continue;
-    entries.push_back({LibraryEntry::Source::Preset, "Examples of all models", text_of(info.title),
-                       preset_of(info.example)});
+    entries.push_back({LibraryEntry::Source::Preset, BrdfLibrary::tr("Examples of all models"),
+                       text_of(info.title), preset_of(info.example)});
   }
 }
 
@@ -107,8 +107,8 @@ LibraryList::LibraryList(QWidget* parent) : QListWidget(parent) {
   setWordWrap(true);
   setTextElideMode(Qt::ElideRight);
   setEditTriggers(QAbstractItemView::EditKeyPressed);
-  setAccessibleName("BRDFs of the library");
-  setToolTip("Double-click, press Return or drag to assign a BRDF to the selected faces");
+  setAccessibleName(tr("BRDFs of the library"));
+  setToolTip(tr("Double-click, press Return or drag to assign a BRDF to the selected faces"));
 }
 
 void LibraryList::set_entries(std::vector<LibraryEntry> entries) {
@@ -160,11 +160,11 @@ void BrdfLibrary::build_controls() {
   auto* top = new QHBoxLayout;
   top->setSpacing(Grid / 2);
   search_ = new QLineEdit(this);
-  search_->setPlaceholderText("Search");
+  search_->setPlaceholderText(tr("Search"));
   search_->setClearButtonEnabled(true);
-  search_->setAccessibleName("Search the library");
-  search_->setToolTip("Search by name, model or parameter value");
-  group_ = narrow_list("Category", "Category of BRDFs that is shown", 8, this);
+  search_->setAccessibleName(tr("Search the library"));
+  search_->setToolTip(tr("Search by name, model or parameter value"));
+  group_ = narrow_list(tr("Category"), tr("Category of BRDFs that is shown"), 8, this);
   top->addWidget(search_, 1);
   top->addWidget(group_, 1);
   column->addLayout(top);
@@ -175,13 +175,13 @@ void BrdfLibrary::build_controls() {
   auto* bottom = new QHBoxLayout;
   bottom->setSpacing(Grid / 2);
   add_ = tool_button(
-      "plus", "Save the BRDF to the library", {}, [this] { add(); }, this);
+      "plus", tr("Save the BRDF to the library"), {}, [this] { add(); }, this);
   rename_ = tool_button(
-      "rename", "Rename", {}, [this] { list_->editItem(list_->currentItem()); }, this);
+      "rename", tr("Rename"), {}, [this] { list_->editItem(list_->currentItem()); }, this);
   remove_ = tool_button(
-      "remove", "Remove", {}, [this] { remove(); }, this);
+      "remove", tr("Remove"), {}, [this] { remove(); }, this);
   auto* folder = tool_button(
-      "folder", "Choose the library's folder", "Folder of the library, with one file per BRDF",
+      "folder", tr("Choose the library's folder"), tr("Folder of the library, with one file per BRDF"),
       [this] { choose_folder(); }, this);
   for (QToolButton* button : {add_, rename_, remove_}) bottom->addWidget(button);
   bottom->addStretch(1);
@@ -215,18 +215,19 @@ void BrdfLibrary::reload() {
   for (const grf::Definition& definition : definitions_) {
     const auto* brdf = std::get_if<grf::BrdfModel>(&definition.body);
     if (brdf == nullptr) continue;
-    entries.push_back({LibraryEntry::Source::Scene, "Scene", QString::fromStdString(definition.name), *brdf});
+    entries.push_back(
+        {LibraryEntry::Source::Scene, tr("Scene"), QString::fromStdString(definition.name), *brdf});
   }
   problems_.clear();
   for (const LibraryFile& file : folder_.files(problems_)) {
-    entries.push_back({LibraryEntry::Source::Folder, "My library", file.name, file.brdf});
+    entries.push_back({LibraryEntry::Source::Folder, tr("My library"), file.name, file.brdf});
   }
   add_presets(entries);
   list_->set_entries(std::move(entries));
   const QString shown = group_->currentText();
   const QSignalBlocker silent(group_);
   group_->clear();
-  group_->addItem("All");
+  group_->addItem(tr("All"));
   for (const LibraryEntry& entry : list_->entries()) {
     if (group_->findText(entry.group) < 0) group_->addItem(entry.group);
   }
@@ -273,7 +274,7 @@ void BrdfLibrary::filter() {
     if (in_group && is_found) ++shown;
   }
   QString text;
-  if (shown == 0) text = word.isEmpty() ? "No BRDFs yet." : QString("No BRDF matches '%1'.").arg(word);
+  if (shown == 0) text = word.isEmpty() ? tr("No BRDFs yet.") : tr("No BRDF matches '%1'.").arg(word);
   for (const QString& problem : problems_) text += (text.isEmpty() ? "" : "\n") + problem;
   show_or_hide(message_, text);
   show_state();
@@ -282,14 +283,14 @@ void BrdfLibrary::filter() {
 void BrdfLibrary::show_state() {
   const LibraryEntry* entry = list_->current_entry();
   const bool is_own = entry != nullptr && entry->source == LibraryEntry::Source::Folder;
-  enable(add_, "Save the edited BRDF to the library's folder",
-         folder_.path().isEmpty() ? "Choose a folder for the library first"
-         : !current_              ? "There is no BRDF to save: select faces, or choose one"
+  enable(add_, tr("Save the edited BRDF to the library's folder"),
+         folder_.path().isEmpty() ? tr("Choose a folder for the library first")
+         : !current_              ? tr("There is no BRDF to save: select faces, or choose one")
                                   : QString());
-  const QString why = entry == nullptr ? "Select an entry of your library first"
-                                       : "Only entries of your library's folder can be changed";
-  enable(rename_, "Rename the file (F2)", is_own ? QString() : why);
-  enable(remove_, "Move the file to the trash", is_own ? QString() : why);
+  const QString why = entry == nullptr ? tr("Select an entry of your library first")
+                                       : tr("Only entries of your library's folder can be changed");
+  enable(rename_, tr("Rename the file (F2)"), is_own ? QString() : why);
+  enable(remove_, tr("Move the file to the trash"), is_own ? QString() : why);
 }
 
 void BrdfLibrary::add() {
@@ -330,7 +331,7 @@ void BrdfLibrary::remove() {
 }
 
 void BrdfLibrary::choose_folder() {
-  auto* dialog = new QFileDialog(window(), "Folder of the library", folder_.path());
+  auto* dialog = new QFileDialog(window(), tr("Folder of the library"), folder_.path());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this, &BrdfLibrary::set_folder);

@@ -64,8 +64,8 @@ BrdfPlots::BrdfPlots(QWidget* parent) : QWidget(parent) {
   column->addWidget(lobe_controls_);
   plot_ = new QCustomPlot(this);
   plot_->setMinimumSize(25 * Grid, 22 * Grid);
-  plot_->setAccessibleName("Plot of the BRDF");
-  plot_->setToolTip("Plot of the BRDF; the button with the arrow exports it");
+  plot_->setAccessibleName(tr("Plot of the BRDF"));
+  plot_->setToolTip(tr("Plot of the BRDF; the button with the arrow exports it"));
   plot_->plotLayout()->addElement(1, 0, new QCPLayoutGrid);
   auto* below = static_cast<QCPLayoutGrid*>(plot_->plotLayout()->element(1, 0));
   below->addElement(0, 0, plot_->legend);
@@ -84,32 +84,34 @@ void BrdfPlots::build_kinds(QHBoxLayout& row) {
     auto* button = new QToolButton(this);
     button->setText(text);
     button->setToolTip(tip);
-    button->setAccessibleName(text + " plot");
+    button->setAccessibleName(tr("%1 plot").arg(text));
     button->setCheckable(true);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     kinds_->addButton(button, static_cast<int>(kind));
     row.addWidget(button);
   };
-  add(Kind::Polar, "Polar",
-      "Polar plot of the lobe in the plane of incidence; the radius is the value in 1/sr");
-  add(Kind::Cartesian, "Angle", "Cartesian plot of the value in 1/sr against the light's angle in degrees");
-  add(Kind::Albedo, "Albedo",
-      "Directional albedo: the fraction of light reflected, against the view angle in degrees");
+  add(Kind::Polar, tr("Polar"),
+      tr("Polar plot of the lobe in the plane of incidence; the radius is the value in 1/sr"));
+  add(Kind::Cartesian, tr("Angle"),
+      tr("Cartesian plot of the value in 1/sr against the light's angle in degrees"));
+  add(Kind::Albedo, tr("Albedo"),
+      tr("Directional albedo: the fraction of light reflected, against the view angle in degrees"));
   connect(kinds_, &QButtonGroup::idClicked, this, [this](int id) { set_kind(static_cast<Kind>(id)); });
   row.addWidget(tool_button(
-      "export", "Save the plot", "Save the plot as SVG, PNG or PDF, or its values as CSV",
+      "export", tr("Save the plot"), tr("Save the plot as SVG, PNG or PDF, or its values as CSV"),
       [this] { choose_export(); }, this));
 }
 
 void BrdfPlots::build_choices(QHBoxLayout& row) {
   row.setSpacing(Grid / 2);
-  quantity_ = list_of({"f", "f cos"}, "Plotted quantity",
-                      "The BRDF f itself, or f times the cosine of the light's angle: both in 1/sr", this);
-  channel_ = list_of({"Luminance", "Red", "Green", "Blue"}, "Channel",
-                     "The channel of the value, or its luminance", this);
-  logarithmic_ = new QCheckBox("Log", this);
-  logarithmic_->setToolTip("Logarithmic scale, in decades below the peak");
-  logarithmic_->setAccessibleName("Logarithmic scale");
+  quantity_ =
+      list_of({"f", "f cos"}, tr("Plotted quantity"),
+              tr("The BRDF f itself, or f times the cosine of the light's angle: both in 1/sr"), this);
+  channel_ = list_of({tr("Luminance"), tr("Red"), tr("Green"), tr("Blue")}, tr("Channel"),
+                     tr("The channel of the value, or its luminance"), this);
+  logarithmic_ = new QCheckBox(tr("Log"), this);
+  logarithmic_->setToolTip(tr("Logarithmic scale, in decades below the peak"));
+  logarithmic_->setAccessibleName(tr("Logarithmic scale"));
   row.addWidget(quantity_, 1);
   row.addWidget(channel_, 2);
   row.addWidget(logarithmic_);
@@ -120,14 +122,14 @@ void BrdfPlots::build_choices(QHBoxLayout& row) {
 
 void BrdfPlots::build_views(QHBoxLayout& row) {
   row.setSpacing(Grid / 2);
-  auto* label = new QLabel("Views", this);
+  auto* label = new QLabel(tr("Views"), this);
   view_line_ = new QLineEdit("0, 30, 60, 80", this);
-  view_line_->setAccessibleName("View angles");
-  view_line_->setToolTip("View angles from the normal in degrees, 0 to below 90, separated by commas");
+  view_line_->setAccessibleName(tr("View angles"));
+  view_line_->setToolTip(tr("View angles from the normal in degrees, 0 to below 90, separated by commas"));
   label->setBuddy(view_line_);
   connect(view_line_, &QLineEdit::editingFinished, this, &BrdfPlots::take_views);
-  scheme_ =
-      list_of({"No pdf"}, "Sampling scheme", "Sampling scheme whose pdf in 1/sr is drawn, dashed", this);
+  scheme_ = list_of({tr("No pdf")}, tr("Sampling scheme"),
+                    tr("Sampling scheme whose pdf in 1/sr is drawn, dashed"), this);
   for (const grf::ModelInfo& info : reflectance::scheme_infos()) {
     const QString keyword = text_of(info.keyword);
     scheme_->addItem(keyword, keyword);
@@ -170,7 +172,7 @@ void BrdfPlots::take_views() {
   QPalette look = palette();
   if (!views) look.setColor(QPalette::Text, colours_of(theme_of(palette())).error);
   view_line_->setPalette(look);
-  if (!views) return show_words("Enter view angles from 0 to below 90 degrees, such as 0, 30, 60.", true);
+  if (!views) return show_words(tr("Enter view angles from 0 to below 90 degrees, such as 0, 30, 60."), true);
   if (*views == views_) return draw();
   views_ = *views;
   curves_are_old_ = true;
@@ -262,10 +264,10 @@ void BrdfPlots::draw_lobes() {
     return !reflectance::is_black(curve.specular_weight);
   });
   QStringList words;
-  if (!curves_.scheme_error.isEmpty()) words << "No pdf: " + curves_.scheme_error + ".";
+  if (!curves_.scheme_error.isEmpty()) words << tr("No pdf: %1.").arg(curves_.scheme_error);
   if (has_specular_part)
-    words
-        << "Straight lines: the specular (delta) part; its length is the fraction of light that it reflects.";
+    words << tr(
+        "Straight lines: the specular (delta) part; its length is the fraction of light that it reflects.");
   show_words(words.join('\n'), !curves_.scheme_error.isEmpty());
 }
 
@@ -300,14 +302,14 @@ QString BrdfPlots::export_to(const QString& path) {
   } else if (has_ending(".png")) {
     is_written = plot_->savePng(path, width, height, 2);
   } else {
-    return "Cannot save the plot: the file name must end in .svg, .png, .pdf or .csv.";
+    return tr("Cannot save the plot: the file name must end in .svg, .png, .pdf or .csv.");
   }
-  return is_written ? QString() : QString("Cannot write '%1'.").arg(path);
+  return is_written ? QString() : tr("Cannot write '%1'.").arg(path);
 }
 
 void BrdfPlots::choose_export() {
-  auto* dialog = new QFileDialog(window(), "Save the plot", "brdf.svg",
-                                 "SVG (*.svg);;PNG (*.png);;PDF (*.pdf);;Values as CSV (*.csv)");
+  auto* dialog = new QFileDialog(window(), tr("Save the plot"), "brdf.svg",
+                                 tr("SVG (*.svg);;PNG (*.png);;PDF (*.pdf);;Values as CSV (*.csv)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {

@@ -12,12 +12,12 @@ namespace editor {
 
 DataFileRow::DataFileRow(QWidget* parent) : QWidget(parent) {
   auto* row = tight_layout<QHBoxLayout>(this);
-  auto* name = new QLabel("Data", this);
+  auto* name = new QLabel(tr("Data"), this);
   line_ = new QLineEdit(this);
-  line_->setAccessibleName("File of measured data");
-  line_->setToolTip("A .binary file of the MERL BRDF database, by its path or relative to the scene");
+  line_->setAccessibleName(tr("File of measured data"));
+  line_->setToolTip(tr("A .binary file of the MERL BRDF database, by its path or relative to the scene"));
   name->setBuddy(line_);
-  const QString choose_file = "Choose the file of measured data";
+  const QString choose_file = tr("Choose the file of measured data");
   row->addWidget(name);
   row->addWidget(line_, 1);
   row->addWidget(tool_button(
@@ -28,11 +28,12 @@ DataFileRow::DataFileRow(QWidget* parent) : QWidget(parent) {
 void DataFileRow::set_file(const QString& file, bool is_mixed) {
   file_ = file;
   if (line_->text() != file) line_->setText(file);
-  line_->setPlaceholderText(is_mixed ? "mixed" : "choose a measured BRDF");
+  line_->setPlaceholderText(is_mixed ? tr("mixed") : tr("choose a measured BRDF"));
 }
 
 void DataFileRow::choose() {
-  auto* dialog = new QFileDialog(window(), "Measured data", file_, "Measured data (*.binary);;All files (*)");
+  auto* dialog =
+      new QFileDialog(window(), tr("Measured data"), file_, tr("Measured data (*.binary);;All files (*)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, &DataFileRow::take);

@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 #include <QSaveFile>
 
+#include "editor/brdf/brdf_library.h"
 #include "editor/document/brdf_mime.h"
 #include "grf/catalogue.h"
 #include "grf/read.h"
@@ -47,13 +48,15 @@ QString LibraryFolder::free_name(const QString& name) const {
 }
 
 QString LibraryFolder::add(const QString& name, const grf::BrdfModel& brdf) const {
-  if (path_.isEmpty()) return "Choose a folder for the library first.";
-  if (!brdf.terms.empty()) return "Cannot save a sum of BRDFs: it needs the definitions of its scene.";
-  if (!QDir().mkpath(path_)) return QString("Cannot create the folder '%1'.").arg(path_);
+  if (path_.isEmpty()) return BrdfLibrary::tr("Choose a folder for the library first.");
+  if (!brdf.terms.empty())
+    return BrdfLibrary::tr("Cannot save a sum of BRDFs: it needs the definitions of its scene.");
+  if (!QDir().mkpath(path_)) return BrdfLibrary::tr("Cannot create the folder '%1'.").arg(path_);
   QSaveFile file(file_of(name));
   const QByteArray text = QByteArray::fromStdString(grf::to_text(self_contained(brdf)) + "\n");
   const bool is_written = file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit();
-  return is_written ? QString() : QString("Cannot write '%1': %2.").arg(file.fileName(), file.errorString());
+  return is_written ? QString()
+                    : BrdfLibrary::tr("Cannot write '%1': %2.").arg(file.fileName(), file.errorString());
 }
 
 QString LibraryFolder::rename(const QString& name, const QString& new_name) const {
@@ -61,13 +64,13 @@ QString LibraryFolder::rename(const QString& name, const QString& new_name) cons
   const QString free = free_name(new_name);
   QFile file(file_of(name));
   if (file.rename(file_of(free))) return {};
-  return QString("Cannot rename '%1': %2.").arg(name, file.errorString());
+  return BrdfLibrary::tr("Cannot rename '%1': %2.").arg(name, file.errorString());
 }
 
 QString LibraryFolder::remove(const QString& name) const {
   QFile file(file_of(name));
   if (file.moveToTrash()) return {};
-  return QString("Cannot move '%1' to the trash: %2.").arg(name, file.errorString());
+  return BrdfLibrary::tr("Cannot move '%1' to the trash: %2.").arg(name, file.errorString());
 }
 
 }  // namespace editor

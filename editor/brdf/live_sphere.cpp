@@ -21,8 +21,8 @@ constexpr int LargestSide = 640;  // in pixels; larger ones are scaled
 LiveSphere::LiveSphere(QWidget* parent, const GraphicsDriver& driver) : QWidget(parent), renderer_(driver) {
   setMinimumSize(16 * Grid, 16 * Grid);
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName("Sphere with the BRDF");
-  setToolTip("Drag the highlight to move the light, or use the arrow keys; + and - change the exposure");
+  setAccessibleName(tr("Sphere with the BRDF"));
+  setToolTip(tr("Drag the highlight to move the light, or use the arrow keys; + and - change the exposure"));
   scene_.light.normalize();
   connect(&renderer_, &SphereRenderer::shaded, this, [this](const SphereImage& image) {
     image_ = image;

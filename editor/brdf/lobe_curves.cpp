@@ -1,5 +1,6 @@
 #include "editor/brdf/lobe_curves.h"
 
+#include "editor/brdf/brdf_plots.h"
 #include "editor/controls/text.h"
 
 namespace editor {
@@ -17,7 +18,7 @@ std::shared_ptr<const Reflector> reflector_of(const reflectance::Brdf& brdf, con
                                               QString& mistake) {
   const auto scheme = reflectance::make_scheme(data);
   if (!scheme) {
-    mistake = QString("unknown sampling scheme '%1'").arg(QString::fromStdString(data.keyword));
+    mistake = BrdfPlots::tr("unknown sampling scheme '%1'").arg(QString::fromStdString(data.keyword));
     return nullptr;
   }
   mistake = QString::fromStdString(reflectance::unsupported_reason(*scheme, brdf));
@@ -48,14 +49,14 @@ EnergyNote energy_note(const reflectance::Brdf& brdf, const grf::LargestAlbedo& 
   EnergyNote words;
   words.is_warning = largest.albedo > ClearlyOver;
   if (words.is_warning) {
-    words.text = QString("Reflects up to %1 times the light it receives (at %2 degrees).")
+    words.text = BrdfPlots::tr("Reflects up to %1 times the light it receives (at %2 degrees).")
                      .arg(largest.albedo, 0, 'g', 3)
                      .arg(largest.degrees);
   } else {
     words.text =
-        QString("Reflects at most %1 % of the light it receives.").arg(100 * largest.albedo, 0, 'f', 1);
+        BrdfPlots::tr("Reflects at most %1 % of the light it receives.").arg(100 * largest.albedo, 0, 'f', 1);
   }
-  if (!why.isEmpty()) words.text += " The model: " + why + ".";
+  if (!why.isEmpty()) words.text += ' ' + BrdfPlots::tr("The model: %1.").arg(why);
   return words;
 }
 

@@ -34,10 +34,10 @@ LobeView::LobeView(QWidget* parent)
       thread_("lobe", [this] { painter_.reset(); }) {
   setMinimumSize(16 * Grid, 16 * Grid);
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName("Lobe of the BRDF");
-  setToolTip(
+  setAccessibleName(tr("Lobe of the BRDF"));
+  setToolTip(tr(
       "3D lobe: the value in 1/sr for all light directions. Drag or use the arrow keys to orbit, the wheel "
-      "to zoom; Page Up and Page Down change the view angle by 5 degrees");
+      "to zoom; Page Up and Page Down change the view angle by 5 degrees"));
 }
 
 LobeView::~LobeView() = default;
@@ -179,12 +179,12 @@ void LobeView::paint_over(QPainter& painter, const QMatrix4x4& matrix) const {
     painter.fillRect(painter.boundingRect(place, Qt::AlignCenter, name), plate);
     painter.drawText(place, Qt::AlignCenter, name);
   };
-  line(u, 0, Qt::SolidLine, "view");
-  line(r, 3, Qt::DashLine, "specular");
-  line((u + r).normalized(), 2, Qt::DotLine, "half");
-  QString words = QString("%1: maximum %2 1/sr, view %3\u00b0")
+  line(u, 0, Qt::SolidLine, tr("view"));
+  line(r, 3, Qt::DashLine, tr("specular"));
+  line((u + r).normalized(), 2, Qt::DotLine, tr("half"));
+  QString words = tr("%1: maximum %2 1/sr, view %3\u00b0")
                       .arg(with_cosine_ ? "f cos" : "f", number_text(mesh_->peak), number_text(view_));
-  if (mesh_->specular > 0) words += QString(", specular part %1").arg(number_text(mesh_->specular));
+  if (mesh_->specular > 0) words += tr(", specular part %1").arg(number_text(mesh_->specular));
   painter.setPen(colours.faint_text);
   painter.drawText(rect().adjusted(Grid, 0, -Grid, -Grid / 2), Qt::AlignBottom | Qt::AlignLeft, words);
   if (hasFocus()) {

@@ -51,7 +51,7 @@ BrdfForm::BrdfForm(QWidget* parent)
   rows_->addWidget(parameters_);
   column->addLayout(rows_);
   column->addWidget(hint_);
-  message_->setAccessibleName("What is wrong with the BRDF");
+  message_->setAccessibleName(tr("What is wrong with the BRDF"));
   column->addWidget(message_);
   column->addStretch(1);
   connect(parameters_, &ParameterRows::edited, this, [this](const auto& edit, bool is_done) {
@@ -63,7 +63,7 @@ BrdfForm::BrdfForm(QWidget* parent)
 }
 
 void BrdfForm::build_chooser() {
-  chooser_ = narrow_list("BRDF model", {}, 12, this);
+  chooser_ = narrow_list(tr("BRDF model"), {}, 12, this);
   chooser_->setEditable(true);
   chooser_->setInsertPolicy(QComboBox::NoInsert);
   for (const grf::ModelInfo& info : infos_) {
@@ -161,25 +161,25 @@ void BrdfForm::refresh() {
 
 void BrdfForm::refresh_chooser() {
   chooser_->setEnabled(!models_.empty());
-  chooser_->setToolTip(models_.empty()    ? "No selected face has a BRDF"
+  chooser_->setToolTip(models_.empty()    ? tr("No selected face has a BRDF")
                        : info_ != nullptr ? "<p>" + text_of(info_->description).toHtmlEscaped() + "</p>"
-                                          : "The model of the BRDF; type a part of its name to search");
+                                          : tr("The model of the BRDF; type a part of its name to search"));
   chooser_->setCurrentIndex(info_ != nullptr ? static_cast<int>(info_ - infos_.data()) : -1);
   const QString unknown = info_ == nullptr ? QString::fromStdString(common_keyword()) : QString();
-  chooser_->lineEdit()->setPlaceholderText(models_.empty()     ? "no BRDF"
-                                           : unknown.isEmpty() ? "mixed"
-                                                               : unknown + " (unknown)");
+  chooser_->lineEdit()->setPlaceholderText(models_.empty()     ? tr("no BRDF")
+                                           : unknown.isEmpty() ? tr("mixed")
+                                                               : tr("%1 (unknown)").arg(unknown));
   const QString paper = info_ != nullptr ? text_of(info_->paper) : QString();
   show_or_hide(paper_, paper);
   QString hint;
   if (models_.empty())
-    hint = "Select faces to see and edit their BRDF.";
+    hint = tr("Select faces to see and edit their BRDF.");
   else if (!unknown.isEmpty())
-    hint = "Unknown BRDF model. Choose one here.";
+    hint = tr("Unknown BRDF model. Choose one here.");
   else if (info_ == nullptr)
-    hint = "The faces have different models. Choose one here to assign it to all.";
+    hint = tr("The faces have different models. Choose one here to assign it to all.");
   else if (info_->parameters.empty() && info_->argument_kind == grf::ModelInfo::ArgumentKind::Parameters)
-    hint = "This model has no parameters.";
+    hint = tr("This model has no parameters.");
   show_or_hide(hint_, hint);
 }
 

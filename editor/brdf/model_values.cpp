@@ -2,6 +2,7 @@
 
 #include <QStringList>
 
+#include "editor/brdf/model_form.h"
 #include "editor/controls/expression.h"
 #include "editor/controls/text.h"
 
@@ -67,15 +68,18 @@ QString help_of(const grf::ParameterInfo& parameter) {
       QString("<b>%1</b>: %2").arg(text_of(parameter.name), text_of(parameter.help).toHtmlEscaped())};
   if (parameter.kind == grf::ParameterKind::Number || parameter.kind == grf::ParameterKind::Reflectance) {
     const bool has_maximum = parameter.maximum < 1e30F;
-    lines
-        << (has_maximum
-                ? QString("From %1 to %2").arg(number_text(parameter.minimum), number_text(parameter.maximum))
-                : QString("%1 or more").arg(number_text(parameter.minimum))) +
-               (parameter.unit.empty() ? QString() : " " + text_of(parameter.unit)) +
-               (parameter.kind == grf::ParameterKind::Reflectance ? ", a number or RGB (linear)" : "");
+    lines << (has_maximum ? BrdfForm::tr("From %1 to %2")
+                                .arg(number_text(parameter.minimum), number_text(parameter.maximum))
+                          : BrdfForm::tr("%1 or more").arg(number_text(parameter.minimum))) +
+                 (parameter.unit.empty() ? QString() : " " + text_of(parameter.unit)) +
+                 (parameter.kind == grf::ParameterKind::Reflectance
+                      ? BrdfForm::tr(", a number or RGB (linear)")
+                      : "");
   }
-  lines << "Default: " + (parameter.default_from.empty() ? text_of(default_of(parameter))
-                                                         : "that of " + text_of(parameter.default_from));
+  lines << BrdfForm::tr("Default: %1")
+               .arg(parameter.default_from.empty()
+                        ? text_of(default_of(parameter))
+                        : BrdfForm::tr("that of %1").arg(text_of(parameter.default_from)));
   return lines.join("<br>");
 }
 

@@ -121,14 +121,14 @@ void ParameterRow::add_colour() {
   split_->setText("RGB");
   split_->setCheckable(true);
   split_->setAutoRaise(true);
-  split_->setToolTip("One number for all channels, or one for each of red, green and blue (linear)");
-  split_->setAccessibleName(text_of(parameter_.name) + " as RGB");
+  split_->setToolTip(tr("One number for all channels, or one for each of red, green and blue (linear)"));
+  split_->setAccessibleName(tr("%1 as RGB").arg(text_of(parameter_.name)));
   layout()->addWidget(split_);
   connect(split_, &QToolButton::clicked, this, &ParameterRow::split_channels);
   if (parameter_.minimum < 0 || parameter_.maximum > 1) return;
   colour_ = new ColourButton(this);
-  colour_->setToolTip("Choose a colour: the numbers are its linear red, green and blue");
-  colour_->setAccessibleName(text_of(parameter_.name) + ", colour");
+  colour_->setToolTip(tr("Choose a colour: the numbers are its linear red, green and blue"));
+  colour_->setAccessibleName(tr("%1, colour").arg(text_of(parameter_.name)));
   layout()->addWidget(colour_);
   for (const auto& [signal, done] :
        {std::pair(&ColourButton::changing, false), {&ColourButton::edited, true}}) {
@@ -154,7 +154,7 @@ void ParameterRow::add_choice() {
   }
   words_ = new QComboBox(this);
   for (const std::string_view choice : parameter_.choices) words_->addItem(text_of(choice));
-  words_->setPlaceholderText("mixed");
+  words_->setPlaceholderText(tr("mixed"));
   words_->setToolTip(help_of(parameter_));
   words_->setAccessibleName(name);
   static_cast<QHBoxLayout*>(layout())->addWidget(words_, 1);
@@ -165,20 +165,20 @@ void ParameterRow::add_choice() {
 
 void ParameterRow::add_reset() {
   reset_ = tool_button(
-      "reset", text_of(parameter_.name) + ", reset to default", {}, [this] { emit reset(); }, this);
+      "reset", tr("%1, reset to default").arg(text_of(parameter_.name)), {}, [this] { emit reset(); }, this);
   layout()->addWidget(reset_);
 }
 
 void ParameterRow::show_values(const std::vector<Value>& values, bool is_default) {
   const QScopedValueRollback updating(is_updating_, true);
-  enable(reset_, "Reset to the default", is_default ? "Already at its default" : QString());
+  enable(reset_, tr("Reset to the default"), is_default ? tr("Already at its default") : QString());
   if (check_ != nullptr) {
     const auto* flag = std::get_if<bool>(&values.front());
     check_->setTristate(!are_equal(values));
     check_->setCheckState(!are_equal(values)         ? Qt::PartiallyChecked
                           : flag != nullptr && *flag ? Qt::Checked
                                                      : Qt::Unchecked);
-    check_->setText(are_equal(values) ? "" : "mixed");
+    check_->setText(are_equal(values) ? "" : tr("mixed"));
   } else if (words_ != nullptr) {
     words_->setCurrentIndex(
         are_equal(values) ? words_->findText(text_of(values.front()), Qt::MatchFixedString) : -1);

@@ -24,10 +24,10 @@ TermsEditor::TermsEditor(QWidget* parent) : QWidget(parent) {
   hint_->setWordWrap(true);
   column->addWidget(hint_);
   add_ = new QToolButton(this);
-  add_->setText("Add a BRDF");
+  add_->setText(tr("Add a BRDF"));
   add_->setIcon(icon("plus"));
   add_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  add_->setAccessibleName("Add a BRDF to the sum");
+  add_->setAccessibleName(tr("Add a BRDF to the sum"));
   column->addWidget(add_);
   connect(add_, &QToolButton::clicked, this, &TermsEditor::add_term);
   rebuild();
@@ -54,16 +54,16 @@ void TermsEditor::rebuild() {
   for (std::size_t i = 0; i < terms_.size(); ++i) add_row(i);
   lead_tab_through({holder_, add_});
   if (names_.empty()) {
-    hint_->setText("Define named BRDFs in the scene first: a sum refers to those.");
+    hint_->setText(tr("Define named BRDFs in the scene first: a sum refers to those."));
   } else if (are_mixed_) {
-    hint_->setText("The faces have different sums. Adding a BRDF here replaces them.");
+    hint_->setText(tr("The faces have different sums. Adding a BRDF here replaces them."));
   } else {
-    hint_->setText("Add the BRDFs of the sum.");
+    hint_->setText(tr("Add the BRDFs of the sum."));
   }
   hint_->setVisible(terms_.empty());
   add_->setEnabled(!names_.empty());
-  add_->setToolTip(names_.empty() ? "The scene has no named BRDFs"
-                                  : "Add a BRDF of the scene, with a weight");
+  add_->setToolTip(names_.empty() ? tr("The scene has no named BRDFs")
+                                  : tr("Add a BRDF of the scene, with a weight"));
 }
 
 void TermsEditor::add_row(std::size_t index) {
@@ -72,12 +72,12 @@ void TermsEditor::add_row(std::size_t index) {
   const QString name = QString::fromStdString(terms_[index].brdf.name);
   auto* weight = new NumberBox(row);
   weight->set_range(0, 10);
-  weight->set_help("The weight of this BRDF in the sum");
-  weight->setAccessibleName("weight of " + name);
+  weight->set_help(tr("The weight of this BRDF in the sum"));
+  weight->setAccessibleName(tr("weight of %1").arg(name));
   weight->setFixedWidth(10 * Grid);
   weight->set_value(terms_[index].weight);
   line->addWidget(weight);
-  QComboBox* choice = narrow_list("BRDF of the term", "A BRDF that the scene defines", 6, row);
+  QComboBox* choice = narrow_list(tr("BRDF of the term"), tr("A BRDF that the scene defines"), 6, row);
   for (const QString& one : names_) choice->addItem(one);
   if (choice->findText(name, Qt::MatchFixedString) < 0) choice->addItem(name);
   choice->setCurrentIndex(choice->findText(name, Qt::MatchFixedString));
@@ -87,7 +87,8 @@ void TermsEditor::add_row(std::size_t index) {
     rebuild();
     emit edited(terms_);
   };
-  line->addWidget(tool_button("remove", "remove " + name, "Remove this BRDF from the sum", take_out, row));
+  line->addWidget(
+      tool_button("remove", tr("remove %1").arg(name), tr("Remove this BRDF from the sum"), take_out, row));
   rows_->addWidget(row);
   row->show();
   connect(weight, &NumberBox::changing, this, [this, index](double value) {

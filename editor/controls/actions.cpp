@@ -11,15 +11,20 @@ namespace {
 QAction* make(QWidget& window, const ActionText& text) {
   auto* action = new QAction(text.text, &window);
   if (!text.icon.isEmpty()) action->setIcon(icon(text.icon));
-  action->setShortcut(text.shortcut);
-  const QString keys = text.shortcut.toString(QKeySequence::NativeText);
-  action->setToolTip(keys.isEmpty() ? text.tip : QString("%1 (%2)").arg(text.tip, keys));
   action->setStatusTip(text.tip);
+  set_shortcuts(*action, {text.shortcut});
   window.addAction(action);
   return action;
 }
 
 }  // namespace
+
+void set_shortcuts(QAction& action, const QList<QKeySequence>& shortcuts) {
+  action.setShortcuts(shortcuts);
+  const QString keys = action.shortcut().toString(QKeySequence::NativeText);
+  const QString tip = action.statusTip();
+  action.setToolTip(keys.isEmpty() ? tip : QString("%1 (%2)").arg(tip, keys));
+}
 
 QAction* new_action(QWidget& window, const ActionText& text, const std::function<void()>& triggered) {
   QAction* action = make(window, text);

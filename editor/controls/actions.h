@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QKeySequence>
+#include <QList>
 #include <QString>
 #include <functional>
 
@@ -19,6 +20,9 @@ struct ActionText {
 
 /// Creates an action of a window, whose shortcut works wherever the focus is in the window.
 QAction* new_action(QWidget& window, const ActionText& text, const std::function<void()>& triggered);
+
+/// Sets the shortcuts of an action; its tool tip has the first one.
+void set_shortcuts(QAction& action, const QList<QKeySequence>& shortcuts);
 
 /// Creates a checkable action.
 QAction* new_switch(QWidget& window, const ActionText& text, bool is_on,

@@ -57,7 +57,7 @@ void ColourButton::choose() {
     chooser_->setOptions(QColorDialog::NoButtons | QColorDialog::DontUseNativeDialog);
     chooser_->setWindowFlag(Qt::Tool);
     chooser_->setModal(false);
-    chooser_->setWindowTitle(accessibleName().isEmpty() ? "Colour" : accessibleName());
+    chooser_->setWindowTitle(accessibleName().isEmpty() ? tr("Colour") : accessibleName());
     chooser_->setCurrentColor(shown_colour(colour_.value_or(grf::Colour(0.5F))));
     connect(chooser_, &QColorDialog::currentColorChanged, this, &ColourButton::take);
     connect(chooser_, &QDialog::finished, this, &ColourButton::finish);

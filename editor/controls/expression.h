@@ -14,8 +14,12 @@ struct Unit {
 };
 
 /// The units that can be typed for a value in `unit`, which comes first: `rad` and `deg` for angles, `W`,
-/// `mW` and `kW` for power, `nm` and `um` for small lengths. Any other unit has no alternatives.
+/// `mW` and `kW` for power, `nm` and `um` for small lengths, `m`, `cm`, `mm` and `in` for others. Any other
+/// unit has no alternatives.
 std::vector<Unit> units_like(const QString& unit);
+
+/// The unit `m`, `cm`, `mm` or `in` in metres.
+double length_unit(const QString& unit);
 
 struct Typed {
   std::optional<double> value;  ///< finite

@@ -87,6 +87,10 @@ NumberBox* number_box(const NumberInfo& info, QWidget* parent) {
   return box;
 }
 
+void show_lengths_in(const QString& unit, const QWidget& form) {
+  for (NumberBox* box : form.findChildren<NumberBox*>()) box->show_lengths_in(unit);
+}
+
 void connect_number(NumberBox* box, QObject* context, const std::function<void(double)>& take,
                     const std::function<void()>& done) {
   QObject::connect(box, &NumberBox::changing, context, take);

@@ -70,6 +70,8 @@ struct NumberInfo {
 
 /// A strict number box that is as narrow as possible.
 NumberBox* number_box(const NumberInfo& info, QWidget* parent);
+/// Shows the lengths of all number boxes in a widget in a unit; see NumberBox::show_lengths_in.
+void show_lengths_in(const QString& unit, const QWidget& form);
 /// Calls `take` with each new number, and then `done` unless more steps of the same edit may follow.
 void connect_number(NumberBox* box, QObject* context, const std::function<void(double)>& take,
                     const std::function<void()>& done);

@@ -53,12 +53,30 @@ NumberBox::NumberBox(QWidget* parent)
 }
 
 void NumberBox::set_range(double minimum, double maximum) {
-  minimum_ = minimum;
-  maximum_ = maximum;
+  minimum_ = std::abs(minimum) < Endless ? minimum / factor_ : minimum;
+  maximum_ = std::abs(maximum) < Endless ? maximum / factor_ : maximum;
   show_state();
 }
 
 void NumberBox::set_unit(const QString& unit) {
+  is_length_ = unit == "m";
+  show_unit(unit);
+}
+
+void NumberBox::show_lengths_in(const QString& unit) {
+  if (!is_length_ || unit == unit_) return;
+  finish_steps();
+  const double ratio = length_unit(unit) / length_unit(unit_);
+  if (value_) value_ = *value_ / ratio;
+  for (double* const end : {&minimum_, &maximum_}) {
+    if (std::abs(*end) < Endless) *end /= ratio;
+  }
+  step_ /= ratio;
+  factor_ = length_unit(unit);
+  show_unit(unit);
+}
+
+void NumberBox::show_unit(const QString& unit) {
   unit_ = unit;
   units_ = units_like(unit);
   show_value();
@@ -86,7 +104,8 @@ void NumberBox::set_blank(const QString& word) {
   show_value();
 }
 
-void NumberBox::set_value(double value) {
+void NumberBox::set_value(double number) {
+  const double value = number / factor_;
   // Typed text and unfinished steps are kept when the same number is set again.
   if (value_ && are_alike(*value_, value)) {
     value_ = value;
@@ -175,10 +194,8 @@ QString NumberBox::tip_text() const {
 }
 
 QString NumberBox::range_text() const {
-  const auto end = [this](double number) {
-    return std::abs(number) < Endless ? text_of(number) : QString("any");
-  };
-  return QString("Range: %1 to %2").arg(end(minimum_), end(maximum_));
+  const auto end = [this](double number) { return std::abs(number) < Endless ? text_of(number) : tr("any"); };
+  return tr("Range: %1 to %2").arg(end(minimum_), end(maximum_));
 }
 
 void NumberBox::commit() {
@@ -204,7 +221,7 @@ void NumberBox::take_typed() {
   text.toDouble(&is_literal);
   // Digits beyond float precision are kept for the reader.
   show_text(is_literal && unit_.isEmpty() ? text : text_of(*value_));
-  if (is_new) emit edited(*value_);
+  if (is_new) emit edited(value());
 }
 
 void NumberBox::refuse(const QString& reason) {
@@ -215,7 +232,7 @@ void NumberBox::refuse(const QString& reason) {
 void NumberBox::finish_steps() {
   if (!settling_.isActive() && sender() != &settling_) return;
   settling_.stop();
-  if (value_) emit edited(*value_);
+  if (value_) emit edited(value());
 }
 
 double NumberBox::step_from(double start) const {
@@ -235,7 +252,7 @@ void NumberBox::stepBy(int steps) {
   const double next = std::round(start / step + steps) * step;
   value_ = std::clamp(next, minimum_, maximum_);
   show_value();
-  emit changing(*value_);
+  emit changing(value());
   settling_.start();
 }
 

@@ -26,6 +26,9 @@ class NumberBox : public QAbstractSpinBox {
   void set_range(double minimum, double maximum);
   /// Sets the unit of `value`, shown as a suffix and accepted in typed text.
   void set_unit(const QString& unit);
+  /// Shows a box whose unit is the metre in another unit of length; its values stay in metres. Other boxes
+  /// stay as they are.
+  void show_lengths_in(const QString& unit);
   /// Makes typed numbers outside of the range invalid.
   void set_strict(bool is_strict) { is_strict_ = is_strict; }
   /// Makes each step change the second significant digit, instead of a hundredth of the range.
@@ -43,11 +46,11 @@ class NumberBox : public QAbstractSpinBox {
   /// Shows a word in place of a value, until the user types. Without a signal.
   void set_blank(const QString& word);
   /// Shows that several values differ.
-  void set_mixed() { set_blank("mixed"); }
+  void set_mixed() { set_blank(tr("mixed")); }
   bool has_value() const { return value_.has_value(); }
   /// Sets the value, without a signal.
   void set_value(double value);
-  double value() const { return value_.value_or(0); }
+  double value() const { return value_.value_or(0) * factor_; }
   /// Sets a number as text, such as `1e3`, which is kept until it is edited; empty for none. Invalid text is
   /// shown, too. Without a signal.
   void set_text(const QString& text);
@@ -83,6 +86,7 @@ class NumberBox : public QAbstractSpinBox {
   void changeEvent(QEvent* event) override;
 
  private:
+  void show_unit(const QString& unit);
   void take_typed();
   void refuse(const QString& reason);
   void finish_steps();
@@ -104,6 +108,8 @@ class NumberBox : public QAbstractSpinBox {
   bool is_strict_ = false;
   bool is_whole_ = false;
   bool may_be_empty_ = false;
+  bool is_length_ = false;
+  double factor_ = 1;  // of values to what is shown
   QString unit_, help_, message_;
   QString full_text_;
   QString shown_;  // in the box, but for what is being typed

@@ -60,7 +60,7 @@ class Document : public QObject {
   bool is_modified() const { return saved_ != revision() || !(state_ == saved_state_); }
   /// The number of the current state; undo and redo restore the number of their state.
   std::uint64_t revision() const { return undo_stack_.revision(); }
-  QUndoStack& undo_stack() { return undo_stack_; }
+  EditStack& undo_stack() { return undo_stack_; }
   /// The render options: those of the OP file beside the scene, which is written when the scene is saved.
   OpDocument& options() { return options_; }
   const OpDocument& options() const { return options_; }

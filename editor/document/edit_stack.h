@@ -15,6 +15,9 @@ class EditStack : public QUndoStack {
   explicit EditStack(QObject* parent = nullptr);
 
   void push(QUndoCommand* step);
+  /// Limits the number of steps, of which the oldest are dropped; 0: no limit. Qt allows that only while
+  /// there are none: otherwise the limit holds from the next `clear`.
+  void set_limit(int steps);
   /// Removes all steps; the current state gets a new number.
   void clear();
   std::uint64_t revision() const { return revisions_[static_cast<std::size_t>(index())]; }
@@ -26,6 +29,7 @@ class EditStack : public QUndoStack {
  private:
   std::vector<std::uint64_t> revisions_ = {0};  ///< by index
   std::uint64_t latest_ = 0;
+  int limit_ = 0;
   bool is_pushing_ = false;
 };
 

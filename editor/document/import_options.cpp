@@ -8,6 +8,7 @@
 #include "converters/assign_default_brdf.h"
 #include "converters/mesh_operations/scene_placement.h"
 #include "converters/scene_building.h"
+#include "editor/document/preferences.h"
 #include "editor/document/scene_loader.h"
 #include "grf/check.h"
 #include "grf/read.h"
@@ -81,7 +82,7 @@ ImportOptions remembered_import_options(const QString& type) {
   QSettings settings;
   settings.beginGroup(import_group(type));
   ImportOptions options;
-  options.is_z_up = settings.value("up").toString() == "z";
+  options.is_z_up = settings.value("up", Preferences::load().is_z_up ? "z" : "y").toString() == "z";
   options.unit = settings.value("unit", "m").toString().toStdString();
   options.brdf = settings.value("brdf").toString().toStdString();
   if (settings.contains("weld")) options.operations.weld = settings.value("weld").toDouble();
@@ -101,7 +102,7 @@ void remember_import_options(const QString& type, const ImportOptions& options) 
   };
   const convert::MeshOperations& operations = options.operations;
   const bool is_flat = operations.normals == convert::Normals::Flat;
-  set("up", "z", options.is_z_up);
+  set("up", options.is_z_up ? "z" : "y", options.is_z_up != Preferences::load().is_z_up);
   set("unit", QString::fromStdString(options.unit), options.unit != "m");
   set("brdf", QString::fromStdString(options.brdf), !options.brdf.empty());
   set("weld", operations.weld.value_or(0), operations.weld.has_value());

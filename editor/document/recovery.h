@@ -46,6 +46,9 @@ class Recovery : public QObject {
   static std::optional<grf::Scene> read(const LostWork& work, grf::Diagnostics& diagnostics);
   static void discard(const LostWork& work);
 
+  /// Sets the time from a change to its autosave, in milliseconds, from the next change on.
+  void set_delay(int delay) { timer_.setInterval(delay); }
+
   /// Autosaves now, in a thread.
   void keep();
 

@@ -1,21 +1,19 @@
 #include "editor/image/image_texts.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 
 #include "editor/controls/text.h"
+#include "editor/image/image_browser.h"
 #include "editor/image/screen_colours.h"
 #include "renderer/transport/image/image_file.h"
 
 namespace editor {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("ImageBrowser", text); }
-
 QString number(double value) { return QString::number(value, 'g', 4); }
 
 QString values_text(const reflectance::Rgb& pixel) {
-  return tr("R %1  G %2  B %3").arg(number(pixel.x), number(pixel.y), number(pixel.z));
+  return ImageBrowser::tr("R %1  G %2  B %3").arg(number(pixel.x), number(pixel.y), number(pixel.z));
 }
 
 bool is_inside(const QPoint& pixel, const SharedImage& image) {
@@ -23,11 +21,13 @@ bool is_inside(const QPoint& pixel, const SharedImage& image) {
 }
 
 QString error_text(const transport::ImageError& error) {
-  QStringList parts = {tr("RMSE %1").arg(number(error.rmse)), tr("relMSE %1").arg(number(error.relmse))};
+  QStringList parts = {ImageBrowser::tr("RMSE %1").arg(number(error.rmse)),
+                       ImageBrowser::tr("relMSE %1").arg(number(error.relmse))};
   if (error.average_relative_error) {
-    parts << tr("average relative error %1 %").arg(number(100 * *error.average_relative_error));
+    parts << ImageBrowser::tr("average relative error %1 %").arg(number(100 * *error.average_relative_error));
   }
-  parts << (error.psnr ? tr("PSNR %1 dB").arg(*error.psnr, 0, 'f', 1) : tr("PSNR infinite"));
+  parts << (error.psnr ? ImageBrowser::tr("PSNR %1 dB").arg(*error.psnr, 0, 'f', 1)
+                       : ImageBrowser::tr("PSNR infinite"));
   return parts.join(QStringLiteral("   "));
 }
 
@@ -36,14 +36,16 @@ QString error_text(const transport::ImageError& error) {
 QString statistics_text(const ImageAnalysis& analysis) {
   if (!analysis.image) return {};
   const ImageStatistics& statistics = analysis.statistics;
-  QStringList parts = {tr("%1 x %2").arg(analysis.image->width).arg(analysis.image->height)};
-  if (statistics.nan_pixels > 0) parts << tr("%1 NaN (magenta)").arg(statistics.nan_pixels);
-  if (statistics.infinite_pixels > 0) parts << tr("%1 infinite (cyan)").arg(statistics.infinite_pixels);
-  if (statistics.negative_pixels > 0) parts << tr("%1 negative").arg(statistics.negative_pixels);
+  QStringList parts = {ImageBrowser::tr("%1 x %2").arg(analysis.image->width).arg(analysis.image->height)};
+  if (statistics.nan_pixels > 0) parts << ImageBrowser::tr("%1 NaN (magenta)").arg(statistics.nan_pixels);
+  if (statistics.infinite_pixels > 0)
+    parts << ImageBrowser::tr("%1 infinite (cyan)").arg(statistics.infinite_pixels);
+  if (statistics.negative_pixels > 0)
+    parts << ImageBrowser::tr("%1 negative").arg(statistics.negative_pixels);
   if (analysis.error) {
     parts << error_text(*analysis.error);
   } else if (analysis.reference) {
-    parts << tr("B is %1 x %2: a difference needs images of the same size")
+    parts << ImageBrowser::tr("B is %1 x %2: a difference needs images of the same size")
                  .arg(analysis.reference->width)
                  .arg(analysis.reference->height);
   }
@@ -53,15 +55,15 @@ QString statistics_text(const ImageAnalysis& analysis) {
 QString pixel_text(const QPoint& pixel, const SharedImage& image, const SharedImage& reference) {
   if (!is_inside(pixel, image)) return {};
   const reflectance::Rgb& value = image->at(pixel.x(), pixel.y());
-  QString text = tr("x %1  y %2   %3").arg(pixel.x()).arg(pixel.y()).arg(values_text(value));
+  QString text = ImageBrowser::tr("x %1  y %2   %3").arg(pixel.x()).arg(pixel.y()).arg(values_text(value));
   if (is_inside(pixel, reference)) {
-    return text + tr("   B: %1").arg(values_text(reference->at(pixel.x(), pixel.y())));
+    return text + ImageBrowser::tr("   B: %1").arg(values_text(reference->at(pixel.x(), pixel.y())));
   }
-  return text + tr("   luminance %1 cd/m2").arg(number(CandelasPerWatt * luminance_of(value)));
+  return text + ImageBrowser::tr("   luminance %1 cd/m2").arg(number(CandelasPerWatt * luminance_of(value)));
 }
 
 QString image_read_filter() {
-  return tr("Images (*.exr *.hdr *.pfm *.raw *.png *.jpg *.jpeg *.tga);;All files (*)");
+  return ImageBrowser::tr("Images (*.exr *.hdr *.pfm *.raw *.png *.jpg *.jpeg *.tga);;All files (*)");
 }
 
 QString image_write_filter() {

@@ -57,7 +57,7 @@ class NumbersField : public OptionField {
       : OptionField(parent), defaults_(default_words(option)) {
     auto* row = tight_layout<QHBoxLayout>(this, Grid);
     // A default that is not numeric is shown under the boxes; one of several has no space for it.
-    const QString in_words = word_count(option) > 1 ? tr("auto") : text_of(option.default_value);
+    const QString in_words = word_count(option) > 1 ? OptionField::tr("auto") : text_of(option.default_value);
     for (std::size_t i = 0; i < word_count(option); ++i) {
       auto* number = number_box(range, defaults_.value(qsizetype(i), in_words), this);
       number->setAccessibleName(text_of(option.key) +
@@ -103,7 +103,9 @@ class NumbersField : public OptionField {
 class BooleanField : public OptionField {
  public:
   BooleanField(const OptionInfo& option, QWidget* parent)
-      : OptionField(parent), box_(new QCheckBox(tr("On"), this)), default_(option.default_value == "true") {
+      : OptionField(parent),
+        box_(new QCheckBox(OptionField::tr("On"), this)),
+        default_(option.default_value == "true") {
     tight_layout<QHBoxLayout>(this)->addWidget(box_);
     box_->setAccessibleName(text_of(option.key));
     setFocusProxy(box_);

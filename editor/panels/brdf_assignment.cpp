@@ -42,7 +42,7 @@ bool assign_brdf(Document& document, const grf::Catalogue& catalogue, const QMim
     if (name.isEmpty()) name = QString::fromStdString(brdf->keyword);
     edit.brdf = AttributeEdit<grf::BrdfAttribute>::set(*brdf);
   }
-  document.edit_surfaces(QCoreApplication::translate("editor", "Assign %1").arg(name), edit);
+  document.edit_surfaces(QCoreApplication::translate("editor::BrdfAssignment", "Assign %1").arg(name), edit);
   return true;
 }
 

@@ -126,7 +126,7 @@ QWidget* CameraPanel::make_form() {
     for (int axis = 0; axis < 3; ++axis) {
       const QString letter = QString("xyz").mid(axis, 1);
       fields.push_back({{tr("Camera: %1, %2").arg(label, letter), tr("%1: %2").arg(letter, help),
-                         -MostCameraNumber, MostCameraNumber},
+                         -MostCameraNumber, MostCameraNumber, 0.1, "m"},
                         [=](const View& shown) { return (shown.*field)[axis]; },
                         [=](View& changed, double number) { (changed.*field)[axis] = number; }});
     }
@@ -139,7 +139,7 @@ QWidget* CameraPanel::make_form() {
             [](const View& shown) { return double(shown.field_of_view); },
             [](View& changed, double number) { changed.field_of_view = static_cast<float>(number); }},
            {{tr("Focal length"), tr("Focal length of a full-frame camera, whose sensor is 24 mm high"), 0.01,
-             1e5, 1, tr("mm")},
+             1e5, 1, "mm"},
             [](const View& shown) { return focal_length_of(double(shown.field_of_view)); },
             [](View& changed, double number) {
               changed.field_of_view = static_cast<float>(field_of_view_of(number));
@@ -147,11 +147,11 @@ QWidget* CameraPanel::make_form() {
   add_row(*grid, tr("Focus"),
           {{{tr("Lens radius"),
              tr("Depth of field: the radius of the lens, half its aperture; 0: everything is sharp"), 0,
-             MostCameraNumber, 0.01, tr("m")},
+             MostCameraNumber, 0.01, "m"},
             [](const View& shown) { return double(shown.lens_radius); },
             [](View& changed, double number) { changed.lens_radius = static_cast<float>(number); }},
            {{tr("Focus distance"), tr("Distance to the plane in focus, along the view direction"), 0,
-             MostCameraNumber, 0.1, tr("m")},
+             MostCameraNumber, 0.1, "m"},
             [](const View& shown) { return double(focus_distance_of(shown)); },
             [](View& changed, double number) { changed.focus_distance = static_cast<float>(number); }}});
   auto* focus = new QPushButton(tr("Focus on…"), form);

@@ -68,13 +68,13 @@ void LampForm::add_placement() {
   const double largest = LargestLampNumber;
   const QString centre = tr("centre of the light in world space");
   add_row(PositionRow, tr("Position"),
-          {{{tr("Position, x"), tr("x: %1").arg(centre), -largest, largest},
+          {{{tr("Position, x"), tr("x: %1").arg(centre), -largest, largest, 0.1, "m"},
             [](const Lamp& lamp) { return lamp.centre.x; },
             [](Lamp& lamp, double number) { lamp.centre.x = number; }},
-           {{tr("Position, y"), tr("y, upwards: %1").arg(centre), -largest, largest},
+           {{tr("Position, y"), tr("y, upwards: %1").arg(centre), -largest, largest, 0.1, "m"},
             [](const Lamp& lamp) { return lamp.centre.y; },
             [](Lamp& lamp, double number) { lamp.centre.y = number; }},
-           {{tr("Position, z"), tr("z: %1").arg(centre), -largest, largest},
+           {{tr("Position, z"), tr("z: %1").arg(centre), -largest, largest, 0.1, "m"},
             [](const Lamp& lamp) { return lamp.centre.z; },
             [](Lamp& lamp, double number) { lamp.centre.z = number; }}});
   add_row(DirectionRow, tr("Direction"),
@@ -96,15 +96,15 @@ void LampForm::add_placement() {
             [](Lamp& lamp, double number) { lamp.roll = number; }}});
   add_row(SizeRow, tr("Size"),
           {{{tr("Width"), tr("Width of the rectangle, edge 1 of the area light"), SmallestLampSize, largest,
-             0.1, tr("m")},
+             0.1, "m"},
             [](const Lamp& lamp) { return lamp.width; },
             [](Lamp& lamp, double number) { lamp.width = number; }},
            {{tr("Height"), tr("Height of the rectangle, edge 2 of the area light"), SmallestLampSize, largest,
-             0.1, tr("m")},
+             0.1, "m"},
             [](const Lamp& lamp) { return lamp.height; },
             [](Lamp& lamp, double number) { lamp.height = number; }}});
   add_row(RadiusRow, tr("Radius"),
-          {{{tr("Radius"), tr("Radius of disc or sphere"), SmallestLampSize, largest, 0.1, tr("m")},
+          {{{tr("Radius"), tr("Radius of disc or sphere"), SmallestLampSize, largest, 0.1, "m"},
             [](const Lamp& lamp) { return lamp.radius; },
             [](Lamp& lamp, double number) { lamp.radius = number; }}});
 }

@@ -144,7 +144,8 @@ QWidget* LightPanel::make_corner() {
     layout->addWidget(new QLabel(names[line], form), static_cast<int>(line), 0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const QString name = tr("%1, %2").arg(names[line], QString("xyz").mid(static_cast<qsizetype>(axis), 1));
-      NumberBox* box = number_box({name, tr("%1: %2").arg(name, helps[line]), -Largest, Largest}, form);
+      NumberBox* box =
+          number_box({name, tr("%1: %2").arg(name, helps[line]), -Largest, Largest, 0.1, "m"}, form);
       vectors_[line][axis] = box;
       layout->addWidget(box, static_cast<int>(line), static_cast<int>(axis) + 1);
       const auto take = [this, line, axis](double number) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "editor/appearance/theme.h"
+#include "editor/controls/expression.h"
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
 #include "editor/document/scene_places.h"
@@ -65,6 +66,7 @@ QWidget* ObjectPanel::make_form() {
     for (int axis = 0; axis < 3; ++axis) {
       const QString name = tr("%1, %2").arg(names[index], QString("xyz").mid(axis, 1));
       NumberInfo info{name, tr("%1: %2").arg(name, helps[index]), -LargestNumber, LargestNumber};
+      if (row == Position) info.unit = "m";
       if (row == Rotation) info = {info.name, info.help, info.minimum, info.maximum, 5, "deg"};
       NumberBox* box = number_box(info, form);
       boxes_[index][static_cast<std::size_t>(axis)] = box;
@@ -82,6 +84,12 @@ QWidget* ObjectPanel::make_form() {
   layout->addWidget(note_, 6, 0, 1, 4);
   layout->setRowStretch(7, 1);
   return form;
+}
+
+void ObjectPanel::show_lengths_in(const QString& unit) {
+  length_unit_ = unit;
+  editor::show_lengths_in(unit, *this);
+  show_object();
 }
 
 QString ObjectPanel::name_of(const grf::ScenePath& path) const {
@@ -118,8 +126,12 @@ void ObjectPanel::show_object() {
   }
   const grf::Box3d bounds = object_bounds(document_.objects(), moved_block(document_.scene(), active));
   const grf::Vec3d size = bounds.isEmpty() ? grf::Vec3d(0) : bounds.size();
-  size_->setText(
-      QStringLiteral("%1 × %2 × %3").arg(size.x, 0, 'g', 4).arg(size.y, 0, 'g', 4).arg(size.z, 0, 'g', 4));
+  const double unit = length_unit(length_unit_);
+  size_->setText(QStringLiteral("%1 × %2 × %3 %4")
+                     .arg(size.x / unit, 0, 'g', 4)
+                     .arg(size.y / unit, 0, 'g', 4)
+                     .arg(size.z / unit, 0, 'g', 4)
+                     .arg(length_unit_));
   note_->setVisible(shown_.has_shear);
   note_->setText(
       tr("The transform shears the object, so that rotation and scale cannot be edited as "

@@ -20,6 +20,9 @@ class ObjectPanel : public QWidget {
   /// The document outlives the panel.
   explicit ObjectPanel(Document& document, QWidget* parent = nullptr);
 
+  /// Shows lengths in a unit: m, cm, mm or in.
+  void show_lengths_in(const QString& unit);
+
   QSize sizeHint() const override;
 
  private:
@@ -31,6 +34,7 @@ class ObjectPanel : public QWidget {
   QString name_of(const grf::ScenePath& path) const;
 
   Document& document_;
+  QString length_unit_ = "m";
   ObjectTransform shown_;
   QStackedWidget* pages_;
   QLabel* name_ = nullptr;

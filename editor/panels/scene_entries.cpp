@@ -1,6 +1,5 @@
 #include "editor/panels/scene_entries.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <array>
 #include <map>
@@ -11,6 +10,7 @@
 
 #include "editor/controls/counted.h"
 #include "editor/document/definitions.h"
+#include "editor/panels/scene_tree.h"
 #include "grf/write.h"
 
 namespace editor {
@@ -18,9 +18,9 @@ namespace {
 
 using Kind = SceneEntry::Kind;
 
-QString tr(const char* text) { return QCoreApplication::translate("SceneTree", text); }
-
-QString face_count(const grf::Mesh& mesh) { return counted(mesh.face_count(), tr("1 face"), tr("%1 faces")); }
+QString face_count(const grf::Mesh& mesh) {
+  return counted(mesh.face_count(), SceneTree::tr("1 face"), SceneTree::tr("%1 faces"));
+}
 
 QString text_of(const grf::Vec3f& v, int digits = 4) {
   const auto number = [digits](float value) {
@@ -34,9 +34,9 @@ QString text_of(const std::vector<grf::TransformStep>& steps) {
   for (const grf::TransformStep& step : steps) {
     const bool is_turn = step.kind == grf::TransformStep::Kind::Rotation;
     const auto degrees = static_cast<float>(180 / std::numbers::pi);
-    const QString word = is_turn                                        ? tr("rotated by %1°")
-                         : step.kind == grf::TransformStep::Kind::Scale ? tr("scaled by %1")
-                                                                        : tr("translated by %1");
+    const QString word = is_turn                                        ? SceneTree::tr("rotated by %1°")
+                         : step.kind == grf::TransformStep::Kind::Scale ? SceneTree::tr("scaled by %1")
+                                                                        : SceneTree::tr("translated by %1");
     words << word.arg(text_of(is_turn ? step.value * degrees : step.value));
   }
   return words.join(", ");
@@ -55,20 +55,22 @@ class Builder {
 
   std::unique_ptr<SceneEntry> build() {
     auto root = std::make_unique<SceneEntry>();
-    SceneEntry* objects =
-        root->add(group(tr("Objects"), tr("The objects of the scene, nested as in its scene graph")));
+    SceneEntry* objects = root->add(group(
+        SceneTree::tr("Objects"), SceneTree::tr("The objects of the scene, nested as in its scene graph")));
     path_.clear();
     add_blocks(document_.scene().contents, 0, *objects);
-    objects->detail = objects->children.empty() ? tr("none") : QString::number(objects->children.size());
-    const std::vector<std::pair<QString, Kind>> kinds = {{tr("BRDFs"), Kind::Brdf},
-                                                         {tr("Sampling schemes"), Kind::Pdf},
-                                                         {tr("Colours"), Kind::Colour},
-                                                         {tr("Textures"), Kind::Texture},
-                                                         {tr("Mesh definitions"), Kind::DefinedMesh}};
+    objects->detail =
+        objects->children.empty() ? SceneTree::tr("none") : QString::number(objects->children.size());
+    const std::vector<std::pair<QString, Kind>> kinds = {
+        {SceneTree::tr("BRDFs"), Kind::Brdf},
+        {SceneTree::tr("Sampling schemes"), Kind::Pdf},
+        {SceneTree::tr("Colours"), Kind::Colour},
+        {SceneTree::tr("Textures"), Kind::Texture},
+        {SceneTree::tr("Mesh definitions"), Kind::DefinedMesh}};
     for (const auto& [name, kind] : kinds) {
       auto& found = definitions_[kind];
       if (found.empty()) continue;
-      SceneEntry* of_kind = root->add(group(name, tr("Named definitions of the scene")));
+      SceneEntry* of_kind = root->add(group(name, SceneTree::tr("Named definitions of the scene")));
       of_kind->detail = QString::number(found.size());
       for (auto& each : found) of_kind->add(std::move(each));
     }
@@ -106,24 +108,25 @@ class Builder {
   }
 
   void add(const grf::Shared<grf::Mesh>& mesh, SceneEntry& parent) {
-    parent.add(entry(Kind::Mesh, display_name_of(*mesh), face_count(*mesh), tr("A mesh")));
+    parent.add(entry(Kind::Mesh, display_name_of(*mesh), face_count(*mesh), SceneTree::tr("A mesh")));
   }
   void add(const grf::MeshLight& light, SceneEntry& parent) {
-    parent.add(
-        entry(Kind::MeshLight, tr("mesh light"), face_count(*light.mesh), tr("A mesh that emits light")));
+    parent.add(entry(Kind::MeshLight, SceneTree::tr("mesh light"), face_count(*light.mesh),
+                     SceneTree::tr("A mesh that emits light")));
   }
   void add(const grf::AreaLight&, SceneEntry& parent) {
-    parent.add(entry(Kind::AreaLight, tr("light"), {}, tr("A parallelogram area light")));
+    parent.add(
+        entry(Kind::AreaLight, SceneTree::tr("light"), {}, SceneTree::tr("A parallelogram area light")));
   }
   void add(const grf::Include& include, SceneEntry& parent) {
     const QString file = QString::fromStdString(include.file);
-    SceneEntry* made = parent.add(entry(Kind::Include, QFileInfo(file).fileName(), tr("file"),
-                                        tr("The blocks of the file %1").arg(file)));
+    SceneEntry* made = parent.add(entry(Kind::Include, QFileInfo(file).fileName(), SceneTree::tr("file"),
+                                        SceneTree::tr("The blocks of the file %1").arg(file)));
     add_blocks(*include.contents, 0, *made);
   }
   void add(const grf::Transform& transform, SceneEntry& parent) {
     const QString text = text_of(transform.steps);
-    auto made = entry(Kind::Transform, tr("transform"), {}, text);
+    auto made = entry(Kind::Transform, SceneTree::tr("transform"), {}, text);
     add_blocks(transform.body, 0, *made);
     const bool is_of_one = made->children.size() == 1 && made->children.front()->children.empty() &&
                            made->children.front()->kind != Kind::Include;
@@ -143,22 +146,23 @@ class Builder {
   }
   void add(const grf::Params& params, SceneEntry& parent) {
     for (std::size_t i = 0; i < params.views.size(); ++i) {
-      SceneEntry* made = parent.add(entry(Kind::Observer, tr("observer"), text_of(params.views[i]),
-                                          tr("The viewpoint for view-dependent irradiance")));
+      SceneEntry* made = parent.add(entry(Kind::Observer, SceneTree::tr("observer"), text_of(params.views[i]),
+                                          SceneTree::tr("The viewpoint for view-dependent irradiance")));
       made->observer = i;
     }
   }
   void add(const grf::Use& use, SceneEntry& parent) {
     const QString name = QString::fromStdString(use.mesh.name);
     const auto place = places_.find(path_);
-    const QString detail = place == places_.end() ? tr("use") : text_of(place->second, 3);
-    parent.add(entry(Kind::Instance, name, detail, tr("An instance of the mesh '%1'").arg(name)));
+    const QString detail = place == places_.end() ? SceneTree::tr("use") : text_of(place->second, 3);
+    parent.add(entry(Kind::Instance, name, detail, SceneTree::tr("An instance of the mesh '%1'").arg(name)));
   }
 
   void add_definition(const grf::Definition& definition) {
     const auto found = uses_.find(&definition);
     const std::size_t uses = found == uses_.end() ? 0 : found->second;
-    const QString detail = uses == 0 ? tr("unused") : counted(uses, tr("1 use"), tr("%1 uses"));
+    const QString detail =
+        uses == 0 ? SceneTree::tr("unused") : counted(uses, SceneTree::tr("1 use"), SceneTree::tr("%1 uses"));
     const QString name = QString::fromStdString(definition.name);
     static constexpr std::array Kinds = {Kind::Colour, Kind::Brdf, Kind::Pdf, Kind::Texture,
                                          Kind::DefinedMesh};
@@ -166,7 +170,9 @@ class Builder {
     definitions_[kind].push_back(entry(
         kind, name, detail, std::visit([](const auto& body) { return description(body); }, definition.body)));
   }
-  static QString description(const grf::Colour& colour) { return tr("Colour %1").arg(text_of(colour)); }
+  static QString description(const grf::Colour& colour) {
+    return SceneTree::tr("Colour %1").arg(text_of(colour));
+  }
   static QString description(const grf::BrdfModel& brdf) {
     return QString::fromStdString(grf::to_text(brdf));
   }
@@ -206,7 +212,7 @@ void SceneEntry::number_children() {
 }
 
 QString display_name_of(const grf::Mesh& mesh) {
-  return mesh.name.empty() ? tr("mesh") : QString::fromStdString(mesh.name);
+  return mesh.name.empty() ? SceneTree::tr("mesh") : QString::fromStdString(mesh.name);
 }
 
 QString contents_of(const SceneEntry& transform) {
@@ -214,7 +220,7 @@ QString contents_of(const SceneEntry& transform) {
   while (only->children.size() == 1) only = only->children.front().get();
   return only != &transform && only->children.empty()
              ? only->name
-             : counted(transform.children.size(), tr("1 object"), tr("%1 objects"));
+             : counted(transform.children.size(), SceneTree::tr("1 object"), SceneTree::tr("%1 objects"));
 }
 
 std::unique_ptr<SceneEntry> entries_of(const Document& document) { return Builder(document).build(); }

@@ -13,8 +13,6 @@
 namespace editor {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("ImageProcess", text); }
-
 /// Opens an in-memory file: a child writes to it at full speed, and it is read after the child ends.
 bool open_memory(QFile& file) {
   const int descriptor = ::memfd_create("image", MFD_CLOEXEC);

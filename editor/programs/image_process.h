@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCoreApplication>
 #include <QString>
 #include <cstdint>
 #include <optional>
@@ -13,6 +14,8 @@ namespace editor {
 /// Decodes untrusted images with the program `bpt`, one process per image: a file that crashes a decoder, or
 /// exceeds its time or memory limit, is an error of that image. Thread-safe.
 class ImageProcess {
+  Q_DECLARE_TR_FUNCTIONS(editor::ImageProcess)
+
  public:
   /// Resource limits per image.
   struct Limits {

@@ -266,6 +266,18 @@ void RenderPanel::toggle_preview() {
   }
 }
 
+void RenderPanel::set_threads(int threads) {
+  if (threads == threads_) return;
+  threads_ = threads;
+  if (preview_.is_on()) restart_preview();
+}
+
+RenderOptions RenderPanel::options_with_threads() const {
+  RenderOptions result = options_.valid_options();
+  if (result.threads == 0) result.threads = threads_;
+  return result;
+}
+
 void RenderPanel::restart_preview() {
   if (final_.is_running()) {  // the render has priority
     resumes_after_ = false;
@@ -273,14 +285,14 @@ void RenderPanel::restart_preview() {
   }
   curve_->clear();
   show_status(tr("Preview"));
-  preview_.restart({document_.scene(), document_.path().toStdString(), options_.valid_options(), view_});
+  preview_.restart({document_.scene(), document_.path().toStdString(), options_with_threads(), view_});
   update_actions();
 }
 
 /// Renders the scene and its options as they are now, also if the render is queued.
 void RenderPanel::render() {
   settings_->commit();
-  FinalRenderRequest request = {document_.scene(), document_.path(), options_.valid_options(),
+  FinalRenderRequest request = {document_.scene(), document_.path(), options_with_threads(),
                                 document_.imports(), false};
   const QString image = final_.output_of(request);
   request.may_overwrite = final_.is_from_other_session(image);

@@ -38,6 +38,10 @@ class RenderPanel : public QWidget {
   /// change of the options until they have another camera.
   void set_view(const transport::View& view) { view_ = view; }
 
+  /// Sets the number of threads where the render options leave it open; 0: one per core. A running preview
+  /// restarts.
+  void set_threads(int threads);
+
   Preview& preview() { return preview_; }
   FinalRender& final_render() { return final_; }
   // Actions for menus; their shortcuts are those of the window.
@@ -69,6 +73,7 @@ class RenderPanel : public QWidget {
   void list_preview(job::PreviewState state);
   void toggle_preview();
   void restart_preview();
+  options::RenderOptions options_with_threads() const;
   void render();
   void begin(Job& job, const FinalRenderRequest& request);
   void end_job();
@@ -89,6 +94,7 @@ class RenderPanel : public QWidget {
   QPointer<Job> preview_job_;  ///< the preview while it renders
   OpDocument& options_;
   std::optional<transport::View> view_;
+  int threads_ = 0;
   QString image_path_;          ///< of the shown image; empty for the preview
   bool resumes_after_ = false;  ///< whether the preview was paused for a render
 

@@ -38,7 +38,6 @@ static_assert(DirectionsSide * DirectionsSide == studies::Environment::DrawnDire
 double seconds(const QElapsedTimer& clock) { return static_cast<double>(clock.nsecsElapsed()) * 1e-9; }
 QVector3D vector(const Vec3f& v) { return {v.x, v.y, v.z}; }
 QVector3D rgb(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
-QString tr(const char* text) { return QCoreApplication::translate("BrdfDrawing", text); }
 
 /// What precedes the text of lights and of the environment in a program without a BRDF.
 QByteArray environment_text() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCoreApplication>
 #include <QOpenGLFramebufferObject>
 #include <functional>
 #include <map>
@@ -17,6 +18,8 @@ namespace editor {
 /// pixel and with other directions of the environment. BRDFs without a shader, or whose shader the driver
 /// cannot compile, are shaded on the CPU. It is created, used and destroyed while its context is current.
 class BrdfDrawing {
+  Q_DECLARE_TR_FUNCTIONS(editor::BrdfDrawing)
+
  public:
   /// Throws ShaderCompileError.
   BrdfDrawing(Gl& gl, const GraphicsDriver& driver);

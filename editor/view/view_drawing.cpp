@@ -85,7 +85,6 @@ void ViewDrawing::load(const ViewState& state) {
 
 QStringList ViewDrawing::limitations() const {
   QStringList texts;
-  const auto tr = [](const char* text) { return QCoreApplication::translate("ViewDrawing", text); };
   const bool has_brdfs = state_.request.style.mode == DisplayMode::Brdf;
   for (const auto& [keyword, why] :
        has_brdfs ? renderer_.failed_shaders() : std::map<std::string, QString>()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QImage>
 #include <QOpenGLFramebufferObject>
@@ -24,6 +25,8 @@ struct FacePixel {
 /// it rests the full image follows, in time slices, then further subpixel-shifted passes that antialias it.
 /// It is created, used and destroyed while its context is current.
 class ViewDrawing {
+  Q_DECLARE_TR_FUNCTIONS(editor::ViewDrawing)
+
  public:
   /// Throws ShaderCompileError.
   ViewDrawing(Gl& gl, const GraphicsDriver& driver);

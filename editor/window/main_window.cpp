@@ -42,6 +42,7 @@
 #include "editor/window/recovery_controller.h"
 #include "editor/window/render_controller.h"
 #include "editor/window/selection_actions.h"
+#include "editor/window/shortcut_keys.h"
 #include "editor/window/status_line.h"
 #include "editor/window/view_actions.h"
 #include "editor/window/view_controller.h"
@@ -81,6 +82,8 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   connect_renders();
   docks_.keep_as_default();
   docks_.restore(QSettings());
+  keys_ = std::make_unique<ShortcutKeys>(*this);
+  apply_preferences(Preferences::load());
   show_title();
   show_status(tr("Open a scene or a model, or drop one here"));
   view_->setFocus();

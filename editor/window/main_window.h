@@ -3,8 +3,10 @@
 
 #include <QMainWindow>
 #include <QStringList>
+#include <memory>
 
 #include "editor/document/document.h"
+#include "editor/document/preferences.h"
 #include "editor/document/recovery.h"
 #include "editor/jobs/job_list.h"
 #include "editor/window/docks.h"
@@ -38,6 +40,7 @@ class SelectionActions;
 class StatusLine;
 class SurfacePanel;
 class ViewActions;
+class ShortcutKeys;
 class ViewController;
 struct Tool;
 
@@ -104,6 +107,8 @@ class MainWindow : public QMainWindow {
   void make_scene_menu();
   void make_window_menu();
   void make_help_menu();
+  void show_preferences();
+  void apply_preferences(const Preferences& preferences);
   /// Opens a tool with the BRDF of the selected faces, which can be applied to them again.
   void open_tool(const Tool& tool);
 
@@ -139,8 +144,9 @@ class MainWindow : public QMainWindow {
   BakeController* bake_;
   RecoveryController* recovery_;
   ImageController* images_ = nullptr;
-  bool refuses_studio_ = false;  ///< for the model that was imported
-  QMenu* image_menu_ = nullptr;  ///< shown once there are images
+  std::unique_ptr<ShortcutKeys> keys_;  ///< of the menus
+  bool refuses_studio_ = false;         ///< for the model that was imported
+  QMenu* image_menu_ = nullptr;         ///< shown once there are images
 };
 
 }  // namespace editor

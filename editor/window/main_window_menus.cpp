@@ -1,19 +1,18 @@
 // The menus of the main window, which contain every action.
 #include <QAction>
-#include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenuBar>
-#include <QSettings>
 #include <QStatusBar>
 #include <QToolButton>
-#include <tuple>
 
 #include "editor/appearance/icons.h"
-#include "editor/appearance/theme.h"
 #include "editor/controls/actions.h"
+#include "editor/controls/form_widgets.h"
 #include "editor/controls/notice_bar.h"
+#include "editor/panels/camera_panel.h"
 #include "editor/panels/light_panel.h"
+#include "editor/panels/object_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_window.h"
 #include "editor/view/scene_view.h"
@@ -24,6 +23,8 @@
 #include "editor/window/material_actions.h"
 #include "editor/window/mesh_actions.h"
 #include "editor/window/object_actions.h"
+#include "editor/window/preferences_dialog.h"
+#include "editor/window/recovery_controller.h"
 #include "editor/window/render_controller.h"
 #include "editor/window/selection_actions.h"
 #include "editor/window/shortcut_list.h"
@@ -98,6 +99,35 @@ void MainWindow::make_edit_menu() {
   menu->addActions(material_actions_->actions());
   menu->addSeparator();
   menu->addAction(mesh_actions_->delete_faces());
+  menu->addSeparator();
+  QAction* preferences = new_action(*this,
+                                    {tr("Pr&eferences"), "options", QKeySequence("Ctrl+,"),
+                                     tr("Language, theme, units, shortcuts, undo, threads, autosave")},
+                                    [this] { show_preferences(); });
+  preferences->setMenuRole(QAction::PreferencesRole);
+  menu->addAction(preferences);
+}
+
+void MainWindow::show_preferences() {
+  auto* dialog = findChild<PreferencesDialog*>();
+  if (dialog == nullptr) {
+    dialog = new PreferencesDialog(*keys_, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &PreferencesDialog::changed, this, &MainWindow::apply_preferences);
+  }
+  dialog->show();
+  dialog->activateWindow();
+}
+
+/// The language applies from the next start, the up axis when a model is imported, and the dialog applies the
+/// theme, which may be another one for a session.
+void MainWindow::apply_preferences(const Preferences& preferences) {
+  object_->show_lengths_in(preferences.length_unit);
+  for (const QWidget* dock : std::initializer_list<QWidget*>{lights_, cameras_})
+    show_lengths_in(preferences.length_unit, *dock);
+  document_.undo_stack().set_limit(preferences.undo_steps);
+  render_->set_threads(preferences.threads);
+  recovery_->set_autosave_delay(1000 * preferences.autosave_seconds);
 }
 
 void MainWindow::make_scene_menu() {
@@ -126,18 +156,6 @@ void MainWindow::make_window_menu() {
                              [this] { image_browser(); }));
   menu->addAction(new_action(*this, {tr("3D &view"), {}, QKeySequence("Ctrl+`"), tr("Go to the 3D view")},
                              [this] { show_scene(); }));
-  menu->addSeparator();
-  auto* themes = new QActionGroup(this);
-  for (const auto& [theme, text, tip] : {std::tuple(Theme::Dark, tr("&Dark"), tr("Light text on dark")),
-                                         std::tuple(Theme::Light, tr("&Light"), tr("Dark text on light"))}) {
-    QAction* action =
-        new_switch(*this, {text, {}, {}, tip}, theme_of(palette()) == theme, [theme = theme](bool is_on) {
-          if (!is_on) return;
-          apply(theme, *qApp);
-          QSettings().setValue("theme", theme == Theme::Light ? "light" : "dark");
-        });
-    menu->addAction(themes->addAction(action));
-  }
   menu->addSeparator();
   menu->addAction(new_action(*this,
                              {tr("&Reset layout"), {}, {}, tr("Restore the default layout of the docks")},

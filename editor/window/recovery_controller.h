@@ -22,6 +22,8 @@ class RecoveryController : public QObject {
 
   /// Offers to recover the work of an earlier session that was not closed properly.
   void offer_lost_work();
+  /// Sets the time from a change to its autosave, in milliseconds.
+  void set_autosave_delay(int delay) { recovery_.set_delay(delay); }
 
  signals:
   void status_message(const QString& message);

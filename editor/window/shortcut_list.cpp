@@ -22,18 +22,26 @@ const char ListName[] = "shortcuts";
 
 /// Mouse and keyboard gestures of the 3D view: see SceneView.
 constexpr std::pair<const char*, const char*> Gestures[] = {
-    {"Click", "Select a face; with Shift add it, with Ctrl remove it"},
-    {"Drag from a face", "Select the faces in a box, with Alt in a lasso"},
-    {"Alt + click", "Select the face loop through the nearest edge; with Ctrl the loop that crosses it"},
-    {"[ and ], Shift + wheel", "Change the radius of the brush"},
-    {"Drag from the background, or middle button", "Orbit"},
-    {"Shift + middle button", "Pan"},
-    {"Wheel, + and -", "Zoom"},
-    {"Right button, with W A S D Q E", "Look around and fly"},
-    {"Double click", "Set the orbit centre"},
-    {"Arrows", "Orbit; with Shift pan"},
-    {"Space", "Select or deselect the face in the middle"},
-    {"Escape", "Cancel a gesture"},
+    {QT_TRANSLATE_NOOP("QDialog", "Click"),
+     QT_TRANSLATE_NOOP("QDialog", "Select a face; with Shift add it, with Ctrl remove it")},
+    {QT_TRANSLATE_NOOP("QDialog", "Drag from a face"),
+     QT_TRANSLATE_NOOP("QDialog", "Select the faces in a box, with Alt in a lasso")},
+    {QT_TRANSLATE_NOOP("QDialog", "Alt + click"),
+     QT_TRANSLATE_NOOP("QDialog",
+                       "Select the face loop through the nearest edge; with Ctrl the loop that crosses it")},
+    {QT_TRANSLATE_NOOP("QDialog", "[ and ], Shift + wheel"),
+     QT_TRANSLATE_NOOP("QDialog", "Change the radius of the brush")},
+    {QT_TRANSLATE_NOOP("QDialog", "Drag from the background, or middle button"),
+     QT_TRANSLATE_NOOP("QDialog", "Orbit")},
+    {QT_TRANSLATE_NOOP("QDialog", "Shift + middle button"), QT_TRANSLATE_NOOP("QDialog", "Pan")},
+    {QT_TRANSLATE_NOOP("QDialog", "Wheel, + and -"), QT_TRANSLATE_NOOP("QDialog", "Zoom")},
+    {QT_TRANSLATE_NOOP("QDialog", "Right button, with W A S D Q E"),
+     QT_TRANSLATE_NOOP("QDialog", "Look around and fly")},
+    {QT_TRANSLATE_NOOP("QDialog", "Double click"), QT_TRANSLATE_NOOP("QDialog", "Set the orbit centre")},
+    {QT_TRANSLATE_NOOP("QDialog", "Arrows"), QT_TRANSLATE_NOOP("QDialog", "Orbit; with Shift pan")},
+    {QT_TRANSLATE_NOOP("QDialog", "Space"),
+     QT_TRANSLATE_NOOP("QDialog", "Select or deselect the face in the middle")},
+    {QT_TRANSLATE_NOOP("QDialog", "Escape"), QT_TRANSLATE_NOOP("QDialog", "Cancel a gesture")},
 };
 
 void add_row(QTreeWidgetItem& group, QAction& action, const QString& before = {}) {

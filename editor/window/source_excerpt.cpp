@@ -14,8 +14,6 @@ namespace {
 
 constexpr qint64 PartBytes = 1 << 20;
 
-QString text(const char* words) { return QCoreApplication::translate("SourceView", words); }
-
 /// Calls visit(bytes) for consecutive blocks of the file until it returns false.
 template <class Visit>
 void for_each_part(QFile& file, const std::function<bool()>& is_stopped, const Visit& visit) {
@@ -140,9 +138,10 @@ SourceExcerpt read_excerpt(const SourcePlace& place, const std::function<bool()>
   QFile file(place.path);
   // Reading a pipe would never end.
   if (info.exists() && !info.isFile()) {
-    excerpt.problem = text("%1 is not a file").arg(place.path);
+    excerpt.problem = QCoreApplication::translate("editor::SourceView", "%1 is not a file").arg(place.path);
   } else if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered)) {
-    excerpt.problem = text("Cannot read %1: %2").arg(place.path, file.errorString());
+    excerpt.problem = QCoreApplication::translate("editor::SourceView", "Cannot read %1: %2")
+                          .arg(place.path, file.errorString());
   }
   if (!excerpt.problem.isEmpty()) return excerpt;
   excerpt.line_count = count_lines(file, is_stopped);

@@ -1,18 +1,15 @@
 #include "editor/window/tools.h"
 
-#include <QCoreApplication>
-
 #include "editor/controls/text.h"
 #include "editor/image/image_window.h"
 #include "editor/options/options_window.h"
+#include "editor/tools/tool_window.h"
 #include "editor/tools/tool_windows.h"
 #include "editor/window/viewer_window.h"
 #include "renderer/studies/study.h"
 
 namespace editor {
 namespace {
-
-QString tool_text(const char* source) { return QCoreApplication::translate("tools", source); }
 
 QWidget* open_viewer(const QStringList& files) {
   auto* window = new ViewerWindow;
@@ -43,11 +40,12 @@ QWidget* open_study(const studies::StudyTool& study, const QStringList& files) {
 
 std::vector<Tool> tools() {
   std::vector<Tool> all = {
-      {"grfviewer", tool_text("GRF &viewer"), tool_text("View a scene without editing it"), open_viewer},
-      {"op", tool_text("Render &options"), tool_text("Edit and check the render options of an OP file"),
-       open_options},
-      {"image", tool_text("&Image view"), tool_text("View and compare images, and renders in progress"),
-       open_images},
+      {"grfviewer", ToolWindow::tr("GRF &viewer"), ToolWindow::tr("View a scene without editing it"),
+       open_viewer},
+      {"op", ToolWindow::tr("Render &options"),
+       ToolWindow::tr("Edit and check the render options of an OP file"), open_options},
+      {"image", ToolWindow::tr("&Image view"),
+       ToolWindow::tr("View and compare images, and renders in progress"), open_images},
   };
   for (const studies::StudyTool& study : studies::study_tools()) {
     const QString title = text_of(study.settings.title);

@@ -19,14 +19,22 @@ struct Mode {
 };
 
 constexpr Mode Modes[] = {
-    {DisplayMode::Points, "&Points", "Only vertices"},
-    {DisplayMode::Wireframe, "&Wireframe", "Only edges"},
-    {DisplayMode::Solid, "&Solid", "Faces in their colours, lit by a headlight"},
-    {DisplayMode::SolidEdges, "Solid with &edges", "Faces in their colours, with their edges"},
-    {DisplayMode::Textured, "&Textured", "Faces with their textures"},
-    {DisplayMode::VertexColours, "&Vertex colours", "The vertex colours"},
-    {DisplayMode::Irradiance, "&Irradiance", "The irradiance baked at the vertices"},
-    {DisplayMode::Brdf, "&BRDF", "Faces shaded with their BRDFs, lit by a headlight and a sky"},
+    {DisplayMode::Points, QT_TRANSLATE_NOOP("editor::ViewActions", "&Points"),
+     QT_TRANSLATE_NOOP("editor::ViewActions", "Only vertices")},
+    {DisplayMode::Wireframe, QT_TRANSLATE_NOOP("editor::ViewActions", "&Wireframe"),
+     QT_TRANSLATE_NOOP("editor::ViewActions", "Only edges")},
+    {DisplayMode::Solid, QT_TRANSLATE_NOOP("editor::ViewActions", "&Solid"),
+     QT_TRANSLATE_NOOP("editor::ViewActions", "Faces in their colours, lit by a headlight")},
+    {DisplayMode::SolidEdges, QT_TRANSLATE_NOOP("editor::ViewActions", "Solid with &edges"),
+     QT_TRANSLATE_NOOP("editor::ViewActions", "Faces in their colours, with their edges")},
+    {DisplayMode::Textured, QT_TRANSLATE_NOOP("editor::ViewActions", "&Textured"),
+     QT_TRANSLATE_NOOP("editor::ViewActions", "Faces with their textures")},
+    {DisplayMode::VertexColours, QT_TRANSLATE_NOOP("editor::ViewActions", "&Vertex colours"),
+     QT_TRANSLATE_NOOP("editor::ViewActions", "The vertex colours")},
+    {DisplayMode::Irradiance, QT_TRANSLATE_NOOP("editor::ViewActions", "&Irradiance"),
+     QT_TRANSLATE_NOOP("editor::ViewActions", "The irradiance baked at the vertices")},
+    {DisplayMode::Brdf, QT_TRANSLATE_NOOP("editor::ViewActions", "&BRDF"),
+     QT_TRANSLATE_NOOP("editor::ViewActions", "Faces shaded with their BRDFs, lit by a headlight and a sky")},
 };
 
 }  // namespace

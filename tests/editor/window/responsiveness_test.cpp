@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "editor/appearance/theme.h"
 #include "editor/brdf/brdf_editor.h"
 #include "editor/controls/number_box.h"
 #include "editor/panels/message_panel.h"
@@ -218,11 +219,9 @@ TEST_F(Responsiveness, OfViews) {
         "hide " + name, [&] { dock->hide(); }, [&] { dock->show(); });
   }
   expect_quick(
-      "light theme", [this] { test::action(window_, "Light").trigger(); },
-      [this] { test::action(window_, "Dark").trigger(); });
+      "light theme", [] { apply(Theme::Light, *qApp); }, [] { apply(Theme::Dark, *qApp); });
   expect_quick(
-      "dark theme", [this] { test::action(window_, "Dark").trigger(); },
-      [this] { test::action(window_, "Light").trigger(); });
+      "dark theme", [] { apply(Theme::Dark, *qApp); }, [] { apply(Theme::Light, *qApp); });
   expect_quick("orbit", [this] {
     const QPoint middle = view().rect().center();
     QTest::mousePress(&view(), Qt::MiddleButton, {}, middle);

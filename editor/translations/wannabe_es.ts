@@ -1,0 +1,6562 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es">
+<context>
+    <name>QComboBox</name>
+    <message>
+        <source>new %1</source>
+        <translation>nuevo %1</translation>
+    </message>
+</context>
+<context>
+    <name>QDialog</name>
+    <message>
+        <source>3D view</source>
+        <translation>Vista 3D</translation>
+    </message>
+    <message>
+        <source>Actions and keyboard shortcuts</source>
+        <translation>Acciones y atajos de teclado</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Search actions and shortcuts</source>
+        <translation>Buscar acciones y atajos</translation>
+    </message>
+    <message>
+        <source>Show only actions whose key, name or description has these words or a synonym</source>
+        <translation>Muestra solo las acciones cuya tecla, nombre o descripción contenga estas palabras o un sinónimo</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Atajos</translation>
+    </message>
+    <message>
+        <source>Keys and their actions; Return or a double click runs one</source>
+        <translation>Teclas y sus acciones; Intro o un doble clic ejecuta una</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Acción</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Clic</translation>
+    </message>
+    <message>
+        <source>Select a face; with Shift add it, with Ctrl remove it</source>
+        <translation>Selecciona una cara; con Mayúsculas la añade, con Ctrl la quita</translation>
+    </message>
+    <message>
+        <source>Drag from a face</source>
+        <translation>Arrastrar desde una cara</translation>
+    </message>
+    <message>
+        <source>Select the faces in a box, with Alt in a lasso</source>
+        <translation>Selecciona las caras de un recuadro, con Alt las de un lazo</translation>
+    </message>
+    <message>
+        <source>Alt + click</source>
+        <translation>Alt + clic</translation>
+    </message>
+    <message>
+        <source>Select the face loop through the nearest edge; with Ctrl the loop that crosses it</source>
+        <translation>Selecciona el bucle de caras por la arista más cercana; con Ctrl el que lo cruza</translation>
+    </message>
+    <message>
+        <source>[ and ], Shift + wheel</source>
+        <translation>[ y ], Mayúsculas + rueda</translation>
+    </message>
+    <message>
+        <source>Change the radius of the brush</source>
+        <translation>Cambia el radio de la brocha</translation>
+    </message>
+    <message>
+        <source>Drag from the background, or middle button</source>
+        <translation>Arrastrar desde el fondo, o botón central</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Orbita</translation>
+    </message>
+    <message>
+        <source>Shift + middle button</source>
+        <translation>Mayúsculas + botón central</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Desplaza</translation>
+    </message>
+    <message>
+        <source>Wheel, + and -</source>
+        <translation>Rueda, + y -</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Acerca y aleja</translation>
+    </message>
+    <message>
+        <source>Right button, with W A S D Q E</source>
+        <translation>Botón derecho, con W A S D Q E</translation>
+    </message>
+    <message>
+        <source>Look around and fly</source>
+        <translation>Mira alrededor y vuela</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Doble clic</translation>
+    </message>
+    <message>
+        <source>Set the orbit centre</source>
+        <translation>Fija el centro de la órbita</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Flechas</translation>
+    </message>
+    <message>
+        <source>Orbit; with Shift pan</source>
+        <translation>Orbitan; con Mayúsculas desplazan</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espacio</translation>
+    </message>
+    <message>
+        <source>Select or deselect the face in the middle</source>
+        <translation>Selecciona o deselecciona la cara del centro</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Escape</translation>
+    </message>
+    <message>
+        <source>Cancel a gesture</source>
+        <translation>Cancela un gesto</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>above %1</source>
+        <translation>mayor que %1</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 o más</translation>
+    </message>
+    <message>
+        <source>between %1 and %2</source>
+        <translation>entre %1 y %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>de %1 a %2</translation>
+    </message>
+    <message>
+        <source>path</source>
+        <translation>ruta</translation>
+    </message>
+    <message>
+        <source>path without .%1</source>
+        <translation>ruta sin .%1</translation>
+    </message>
+    <message>
+        <source>path: %1</source>
+        <translation>ruta: %1</translation>
+    </message>
+    <message>
+        <source>HOST:PORT, or none</source>
+        <translation>HOST:PUERTO, o nada</translation>
+    </message>
+    <message>
+        <source>a name, or none</source>
+        <translation>un nombre, o nada</translation>
+    </message>
+    <message>
+        <source>see the Camera dock</source>
+        <translation>véase el panel Cámaras</translation>
+    </message>
+    <message>
+        <source>two whole numbers, 1 to 65535</source>
+        <translation>dos números enteros, de 1 a 65535</translation>
+    </message>
+    <message>
+        <source>three numbers, 0 or more</source>
+        <translation>tres números, 0 o más</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>tres números</translation>
+    </message>
+    <message>
+        <source>one of the list</source>
+        <translation>uno de la lista</translation>
+    </message>
+    <message>
+        <source>any of these</source>
+        <translation>cualquiera de estos</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>verdadero o falso</translation>
+    </message>
+    <message>
+        <source>two whole numbers, %1, the second at most the first</source>
+        <translation>dos números enteros, %1, el segundo como máximo igual al primero</translation>
+    </message>
+    <message>
+        <source>two whole numbers, %1</source>
+        <translation>dos números enteros, %1</translation>
+    </message>
+    <message>
+        <source>%1
+Values: %2. Default: %3.</source>
+        <translation>%1
+Valores: %2. Por defecto: %3.</translation>
+    </message>
+    <message>
+        <source>Options (*.op);;All files (*)</source>
+        <translation>Opciones (*.op);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>ShortcutKeys</name>
+    <message>
+        <source>en</source>
+        <comment>code of the language of the texts</comment>
+        <translation>es</translation>
+    </message>
+</context>
+<context>
+    <name>editor</name>
+    <message>
+        <source>The faces belong to a mesh light, which has a radiance and does not reflect.</source>
+        <translation>Las caras son de una malla emisora, que tiene radiancia y no refleja.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::BakeController</name>
+    <message>
+        <source>Bake irradiance</source>
+        <translation>Precalcular la irradiancia</translation>
+    </message>
+    <message>
+        <source>Stop and keep the irradiance computed so far</source>
+        <translation>Detiene el cálculo y conserva la irradiancia calculada hasta ahora</translation>
+    </message>
+    <message>
+        <source>The baked irradiance was discarded: all its meshes were edited meanwhile</source>
+        <translation>La irradiancia precalculada se ha descartado: todas sus mallas se editaron entretanto</translation>
+    </message>
+    <message>
+        <source>Irradiance baked. Save the scene as IGRF to keep it.</source>
+        <translation>Irradiancia precalculada. Guarde la escena como IGRF para conservarla.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mesh(es) were edited meanwhile and keep their old irradiance.</source>
+        <translation>
+            <numerusform>%n malla se editó entretanto y conserva su irradiancia anterior.</numerusform>
+            <numerusform>%n mallas se editaron entretanto y conservan su irradiancia anterior.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Files that are included several times receive different light at each place, and are part of the scene now.</source>
+        <translation>Los archivos incluidos varias veces reciben una luz distinta en cada lugar, y ahora forman parte de la escena.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::BrdfAssignment</name>
+    <message>
+        <source>Assign %1</source>
+        <translation>Asignar %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::BrdfController</name>
+    <message>
+        <source>Edit the BRDF</source>
+        <translation>Editar la BRDF</translation>
+    </message>
+    <message>
+        <source>No faces are selected to apply the BRDF to.</source>
+        <translation>No hay caras seleccionadas a las que aplicar la BRDF.</translation>
+    </message>
+    <message>
+        <source>Apply the BRDF</source>
+        <translation>Aplicar la BRDF</translation>
+    </message>
+    <message>
+        <source>Assign %1</source>
+        <translation>Asignar %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::BrdfDrawing</name>
+    <message>
+        <source>The environment map is larger than the graphics driver&apos;s textures, of %1 pixels: the object is shaded on the CPU, more slowly</source>
+        <translation>El mapa de entorno es mayor que las texturas del controlador gráfico, de %1 píxeles: el objeto se sombrea en la CPU, más despacio</translation>
+    </message>
+    <message>
+        <source>The graphics driver cannot compile the shader of BRDF %1: it is shaded on the CPU, more slowly: %2</source>
+        <translation>El controlador gráfico no puede compilar el shader de la BRDF %1: se sombrea en la CPU, más despacio: %2</translation>
+    </message>
+</context>
+<context>
+    <name>editor::BrdfEditor</name>
+    <message>
+        <source>Sphere</source>
+        <translation>Esfera</translation>
+    </message>
+    <message>
+        <source>The BRDF on a sphere</source>
+        <translation>La BRDF sobre una esfera</translation>
+    </message>
+    <message>
+        <source>Lobe</source>
+        <translation>Lóbulo</translation>
+    </message>
+    <message>
+        <source>The lobe in three dimensions</source>
+        <translation>El lóbulo en tres dimensiones</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Gráficas</translation>
+    </message>
+    <message>
+        <source>Plots in the plane of incidence, and albedo</source>
+        <translation>Gráficas en el plano de incidencia, y albedo</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Biblioteca</translation>
+    </message>
+    <message>
+        <source>Presets, BRDFs of the scene, and your own library</source>
+        <translation>Ejemplos, BRDF de la escena, y su propia biblioteca</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exposición</translation>
+    </message>
+    <message>
+        <source>Exposure of the sphere in stops</source>
+        <translation>Exposición de la esfera en pasos</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>View angle from the normal, in degrees</source>
+        <translation>Ángulo de la vista con la normal, en grados</translation>
+    </message>
+    <message>
+        <source>Multiply by the cosine of the light direction</source>
+        <translation>Multiplica por el coseno de la dirección de la luz</translation>
+    </message>
+    <message>
+        <source>Times cosine</source>
+        <translation>Por el coseno</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Log</translation>
+    </message>
+    <message>
+        <source>Logarithmic radius over five decades</source>
+        <translation>Radio logarítmico sobre cinco décadas</translation>
+    </message>
+    <message>
+        <source>Logarithmic radius</source>
+        <translation>Radio logarítmico</translation>
+    </message>
+    <message>
+        <source>Select faces to see their BRDF.</source>
+        <translation>Seleccione caras para ver su BRDF.</translation>
+    </message>
+    <message>
+        <source>Cannot show this BRDF:</source>
+        <translation>No se puede mostrar esta BRDF:</translation>
+    </message>
+</context>
+<context>
+    <name>editor::BrdfForm</name>
+    <message>
+        <source>What is wrong with the BRDF</source>
+        <translation>Qué falla en la BRDF</translation>
+    </message>
+    <message>
+        <source>BRDF model</source>
+        <translation>Modelo de BRDF</translation>
+    </message>
+    <message>
+        <source>No selected face has a BRDF</source>
+        <translation>Ninguna cara seleccionada tiene BRDF</translation>
+    </message>
+    <message>
+        <source>The model of the BRDF; type a part of its name to search</source>
+        <translation>El modelo de la BRDF; escriba una parte de su nombre para buscar</translation>
+    </message>
+    <message>
+        <source>no BRDF</source>
+        <translation>sin BRDF</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>varios</translation>
+    </message>
+    <message>
+        <source>Select faces to see and edit their BRDF.</source>
+        <translation>Seleccione caras para ver y editar su BRDF.</translation>
+    </message>
+    <message>
+        <source>Unknown BRDF model. Choose one here.</source>
+        <translation>Modelo de BRDF desconocido. Elija uno aquí.</translation>
+    </message>
+    <message>
+        <source>The faces have different models. Choose one here to assign it to all.</source>
+        <translation>Las caras tienen modelos distintos. Elija uno aquí para asignarlo a todas.</translation>
+    </message>
+    <message>
+        <source>This model has no parameters.</source>
+        <translation>Este modelo no tiene parámetros.</translation>
+    </message>
+    <message>
+        <source>From %1 to %2</source>
+        <translation>De %1 a %2</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 o más</translation>
+    </message>
+    <message>
+        <source>, a number or RGB (linear)</source>
+        <translation>, un número o RGB (lineal)</translation>
+    </message>
+    <message>
+        <source>%1 (unknown)</source>
+        <translation>%1 (desconocido)</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>Por defecto: %1</translation>
+    </message>
+    <message>
+        <source>that of %1</source>
+        <translation>el de %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::BrdfLibrary</name>
+    <message>
+        <source>Examples of all models</source>
+        <translation>Ejemplos de todos los modelos</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Search the library</source>
+        <translation>Buscar en la biblioteca</translation>
+    </message>
+    <message>
+        <source>Search by name, model or parameter value</source>
+        <translation>Busca por nombre, modelo o valor de un parámetro</translation>
+    </message>
+    <message>
+        <source>Category</source>
+        <translation>Categoría</translation>
+    </message>
+    <message>
+        <source>Category of BRDFs that is shown</source>
+        <translation>Categoría de BRDF que se muestra</translation>
+    </message>
+    <message>
+        <source>Save the BRDF to the library</source>
+        <translation>Guardar la BRDF en la biblioteca</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Choose the library&apos;s folder</source>
+        <translation>Elegir la carpeta de la biblioteca</translation>
+    </message>
+    <message>
+        <source>Folder of the library, with one file per BRDF</source>
+        <translation>Carpeta de la biblioteca, con un archivo por BRDF</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Escena</translation>
+    </message>
+    <message>
+        <source>My library</source>
+        <translation>Mi biblioteca</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todo</translation>
+    </message>
+    <message>
+        <source>No BRDFs yet.</source>
+        <translation>Aún no hay BRDF.</translation>
+    </message>
+    <message>
+        <source>No BRDF matches &apos;%1&apos;.</source>
+        <translation>Ninguna BRDF coincide con &apos;%1&apos;.</translation>
+    </message>
+    <message>
+        <source>Save the edited BRDF to the library&apos;s folder</source>
+        <translation>Guarda la BRDF editada en la carpeta de la biblioteca</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the library first</source>
+        <translation>Elija antes una carpeta para la biblioteca</translation>
+    </message>
+    <message>
+        <source>There is no BRDF to save: select faces, or choose one</source>
+        <translation>No hay ninguna BRDF que guardar: seleccione caras, o elija una</translation>
+    </message>
+    <message>
+        <source>Select an entry of your library first</source>
+        <translation>Seleccione antes una entrada de su biblioteca</translation>
+    </message>
+    <message>
+        <source>Only entries of your library&apos;s folder can be changed</source>
+        <translation>Solo se pueden cambiar las entradas de la carpeta de su biblioteca</translation>
+    </message>
+    <message>
+        <source>Rename the file (F2)</source>
+        <translation>Renombra el archivo (F2)</translation>
+    </message>
+    <message>
+        <source>Move the file to the trash</source>
+        <translation>Mueve el archivo a la papelera</translation>
+    </message>
+    <message>
+        <source>Folder of the library</source>
+        <translation>Carpeta de la biblioteca</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the library first.</source>
+        <translation>Elija antes una carpeta para la biblioteca.</translation>
+    </message>
+    <message>
+        <source>Cannot save a sum of BRDFs: it needs the definitions of its scene.</source>
+        <translation>No se puede guardar una suma de BRDF: necesita las definiciones de su escena.</translation>
+    </message>
+    <message>
+        <source>Cannot create the folder &apos;%1&apos;.</source>
+        <translation>No se puede crear la carpeta &apos;%1&apos;.</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;: %2.</source>
+        <translation>No se puede escribir &apos;%1&apos;: %2.</translation>
+    </message>
+    <message>
+        <source>Cannot rename &apos;%1&apos;: %2.</source>
+        <translation>No se puede renombrar &apos;%1&apos;: %2.</translation>
+    </message>
+    <message>
+        <source>Cannot move &apos;%1&apos; to the trash: %2.</source>
+        <translation>No se puede mover &apos;%1&apos; a la papelera: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::BrdfPlots</name>
+    <message>
+        <source>Plot of the BRDF</source>
+        <translation>Gráfica de la BRDF</translation>
+    </message>
+    <message>
+        <source>Plot of the BRDF; the button with the arrow exports it</source>
+        <translation>Gráfica de la BRDF; el botón con la flecha la exporta</translation>
+    </message>
+    <message>
+        <source>Polar</source>
+        <translation>Polar</translation>
+    </message>
+    <message>
+        <source>Polar plot of the lobe in the plane of incidence; the radius is the value in 1/sr</source>
+        <translation>Gráfica polar del lóbulo en el plano de incidencia; el radio es el valor en 1/sr</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Cartesian plot of the value in 1/sr against the light&apos;s angle in degrees</source>
+        <translation>Gráfica cartesiana del valor en 1/sr según el ángulo de la luz en grados</translation>
+    </message>
+    <message>
+        <source>Albedo</source>
+        <translation>Albedo</translation>
+    </message>
+    <message>
+        <source>Directional albedo: the fraction of light reflected, against the view angle in degrees</source>
+        <translation>Albedo direccional: la fracción de luz reflejada, según el ángulo de la vista en grados</translation>
+    </message>
+    <message>
+        <source>Save the plot</source>
+        <translation>Guardar la gráfica</translation>
+    </message>
+    <message>
+        <source>Save the plot as SVG, PNG or PDF, or its values as CSV</source>
+        <translation>Guarda la gráfica como SVG, PNG o PDF, o sus valores como CSV</translation>
+    </message>
+    <message>
+        <source>Plotted quantity</source>
+        <translation>Magnitud representada</translation>
+    </message>
+    <message>
+        <source>The BRDF f itself, or f times the cosine of the light&apos;s angle: both in 1/sr</source>
+        <translation>La propia BRDF f, o f por el coseno del ángulo de la luz: ambas en 1/sr</translation>
+    </message>
+    <message>
+        <source>Luminance</source>
+        <translation>Luminancia</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rojo</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Verde</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Azul</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Canal</translation>
+    </message>
+    <message>
+        <source>The channel of the value, or its luminance</source>
+        <translation>El canal del valor, o su luminancia</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Log</translation>
+    </message>
+    <message>
+        <source>Logarithmic scale, in decades below the peak</source>
+        <translation>Escala logarítmica, en décadas bajo el máximo</translation>
+    </message>
+    <message>
+        <source>Logarithmic scale</source>
+        <translation>Escala logarítmica</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vistas</translation>
+    </message>
+    <message>
+        <source>View angles</source>
+        <translation>Ángulos de la vista</translation>
+    </message>
+    <message>
+        <source>View angles from the normal in degrees, 0 to below 90, separated by commas</source>
+        <translation>Ángulos de la vista con la normal en grados, de 0 a menos de 90, separados por comas</translation>
+    </message>
+    <message>
+        <source>No pdf</source>
+        <translation>Sin pdf</translation>
+    </message>
+    <message>
+        <source>Sampling scheme</source>
+        <translation>Esquema de muestreo</translation>
+    </message>
+    <message>
+        <source>Sampling scheme whose pdf in 1/sr is drawn, dashed</source>
+        <translation>Esquema de muestreo cuya pdf en 1/sr se dibuja, discontinua</translation>
+    </message>
+    <message>
+        <source>Enter view angles from 0 to below 90 degrees, such as 0, 30, 60.</source>
+        <translation>Escriba ángulos de la vista de 0 a menos de 90 grados, como 0, 30, 60.</translation>
+    </message>
+    <message>
+        <source>Straight lines: the specular (delta) part; its length is the fraction of light that it reflects.</source>
+        <translation>Líneas rectas: la parte especular (delta); su longitud es la fracción de luz que refleja.</translation>
+    </message>
+    <message>
+        <source>Cannot save the plot: the file name must end in .svg, .png, .pdf or .csv.</source>
+        <translation>No se puede guardar la gráfica: el nombre del archivo debe acabar en .svg, .png, .pdf o .csv.</translation>
+    </message>
+    <message>
+        <source>Cannot write &apos;%1&apos;.</source>
+        <translation>No se puede escribir &apos;%1&apos;.</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf);;Values as CSV (*.csv)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf);;Valores como CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>unknown sampling scheme &apos;%1&apos;</source>
+        <translation>esquema de muestreo &apos;%1&apos; desconocido</translation>
+    </message>
+    <message>
+        <source>Reflects up to %1 times the light it receives (at %2 degrees).</source>
+        <translation>Refleja hasta %1 veces la luz que recibe (a %2 grados).</translation>
+    </message>
+    <message>
+        <source>Reflects at most %1 % of the light it receives.</source>
+        <translation>Refleja como máximo el %1 % de la luz que recibe.</translation>
+    </message>
+    <message>
+        <source>%1 plot</source>
+        <translation>Gráfica: %1</translation>
+    </message>
+    <message>
+        <source>No pdf: %1.</source>
+        <translation>Sin pdf: %1.</translation>
+    </message>
+    <message>
+        <source>The model: %1.</source>
+        <translation>El modelo: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::BrdfRenderer</name>
+    <message>
+        <source>The BRDF viewer needs OpenGL 3.3, which this display does not support. Exported figures are shaded on the CPU.</source>
+        <translation>El visor de BRDF necesita OpenGL 3.3, que esta pantalla no admite. Las figuras exportadas se sombrean en la CPU.</translation>
+    </message>
+    <message>
+        <source>The BRDF viewer cannot draw: the graphics driver cannot compile a shader: %1</source>
+        <translation>El visor de BRDF no puede dibujar: el controlador gráfico no puede compilar un shader: %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::BrdfRow</name>
+    <message>
+        <source>BRDF</source>
+        <translation>BRDF</translation>
+    </message>
+    <message>
+        <source>Edit the BRDF</source>
+        <translation>Editar la BRDF</translation>
+    </message>
+    <message>
+        <source>Define the BRDF</source>
+        <translation>Definir la BRDF</translation>
+    </message>
+    <message>
+        <source>Pick the BRDF from a face</source>
+        <translation>Tomar la BRDF de una cara</translation>
+    </message>
+    <message>
+        <source>Pick: assign the BRDF of the face that you click in the view</source>
+        <translation>Tomar: asigna la BRDF de la cara en la que haga clic en la vista</translation>
+    </message>
+    <message>
+        <source>Reset the BRDF</source>
+        <translation>Restablecer la BRDF</translation>
+    </message>
+    <message>
+        <source>Reset BRDF</source>
+        <translation>Restablecer la BRDF</translation>
+    </message>
+    <message>
+        <source>The BRDF of the faces: a named definition of the scene, or a new one</source>
+        <translation>La BRDF de las caras: una definición con nombre de la escena, o una nueva</translation>
+    </message>
+    <message>
+        <source>The faces have several BRDFs.</source>
+        <translation>Las caras tienen varias BRDF.</translation>
+    </message>
+    <message>
+        <source>The faces have no BRDF.</source>
+        <translation>Las caras no tienen BRDF.</translation>
+    </message>
+    <message>
+        <source>Edit the BRDF: its lobe and its parameters</source>
+        <translation>Edita la BRDF: su lóbulo y sus parámetros</translation>
+    </message>
+    <message>
+        <source>Define: name the BRDF, so that other faces can share it</source>
+        <translation>Definir: da un nombre a la BRDF para que otras caras puedan compartirla</translation>
+    </message>
+    <message>
+        <source>The BRDF is a named definition already.</source>
+        <translation>La BRDF ya es una definición con nombre.</translation>
+    </message>
+    <message>
+        <source>Reset to the default BRDF: diffuse with kd = 0.5</source>
+        <translation>Restablece la BRDF por defecto: difusa con kd = 0.5</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>Diffuse with kd = 0.5</source>
+        <translation>Difusa con kd = 0.5</translation>
+    </message>
+    <message>
+        <source>Inline, only on these faces: %1</source>
+        <translation>Propia, solo de estas caras: %1</translation>
+    </message>
+    <message>
+        <source>The BRDF &apos;%1&apos; of the scene</source>
+        <translation>La BRDF &apos;%1&apos; de la escena</translation>
+    </message>
+    <message>
+        <source>Assign %1</source>
+        <translation>Asignar %1</translation>
+    </message>
+    <message>
+        <source>Define %1</source>
+        <translation>Definir %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::BrdfView</name>
+    <message>
+        <source>Object with the BRDF</source>
+        <translation>Objeto con la BRDF</translation>
+    </message>
+    <message>
+        <source>Drag to turn the object, with the right button to move the light; wheel: distance; + and -: exposure</source>
+        <translation>Arrastre para girar el objeto, con el botón derecho para mover la luz; rueda: distancia; + y -: exposición</translation>
+    </message>
+    <message>
+        <source>Drag the highlight to move the light, with the right button to turn the object; arrow keys move the light, too</source>
+        <translation>Arrastre el brillo para mover la luz, con el botón derecho para girar el objeto; las flechas también mueven la luz</translation>
+    </message>
+</context>
+<context>
+    <name>editor::BrdfViewerWindow</name>
+    <message>
+        <source>Speed</source>
+        <translation>Velocidad</translation>
+    </message>
+    <message>
+        <source>Frames per second while something moves; else how far the image is refined</source>
+        <translation>Imágenes por segundo mientras algo se mueve; si no, cuánto se ha refinado la imagen</translation>
+    </message>
+    <message>
+        <source>Move the &amp;light</source>
+        <translation>Mover la &amp;luz</translation>
+    </message>
+    <message>
+        <source>Let the pointer and the arrow keys move the light, not the object</source>
+        <translation>El puntero y las flechas mueven la luz en vez del objeto</translation>
+    </message>
+    <message>
+        <source>Light that is &amp;moved</source>
+        <translation>Luz que se &amp;mueve</translation>
+    </message>
+    <message>
+        <source>Light &amp;%1</source>
+        <translation>Luz &amp;%1</translation>
+    </message>
+    <message>
+        <source>Move light %1, which is turned on if it is off</source>
+        <translation>Mueve la luz %1, que se enciende si está apagada</translation>
+    </message>
+    <message>
+        <source>&amp;Shader text</source>
+        <translation>&amp;Texto del shader</translation>
+    </message>
+    <message>
+        <source>Show the GLSL of the BRDFs, with the driver&apos;s messages</source>
+        <translation>Muestra el GLSL de las BRDF, con los mensajes del controlador</translation>
+    </message>
+    <message>
+        <source>%1 has no faces to show</source>
+        <translation>%1 no tiene caras que mostrar</translation>
+    </message>
+    <message>
+        <source>No model is open.
+
+Open a file (Ctrl+O), or drop one here.</source>
+        <translation>No hay ningún modelo abierto.
+
+Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
+    </message>
+    <message>
+        <source>There is no object to show: see the message above.</source>
+        <translation>No hay ningún objeto que mostrar: vea el mensaje de arriba.</translation>
+    </message>
+    <message>
+        <source>No environment map is open: open an EXR or HDR file.</source>
+        <translation>No hay ningún mapa de entorno abierto: abra un archivo EXR o HDR.</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 imágenes/s</translation>
+    </message>
+    <message>
+        <source> at 1/%1 resolution</source>
+        <translation> a 1/%1 de la resolución</translation>
+    </message>
+    <message>
+        <source>refined</source>
+        <translation>refinada</translation>
+    </message>
+    <message>
+        <source>refined %1 of %2 times</source>
+        <translation>refinada %1 de %2 veces</translation>
+    </message>
+    <message>
+        <source>, on the CPU</source>
+        <translation>, en la CPU</translation>
+    </message>
+    <message>
+        <source>BRDF %1 at θ = %2°: GPU %3; CPU %4; difference %5</source>
+        <translation>BRDF %1 en θ = %2°: GPU %3; CPU %4; diferencia %5</translation>
+    </message>
+</context>
+<context>
+    <name>editor::CameraPanel</name>
+    <message>
+        <source>Cameras</source>
+        <translation>Cámaras</translation>
+    </message>
+    <message>
+        <source>Cameras of the scene</source>
+        <translation>Cámaras de la escena</translation>
+    </message>
+    <message>
+        <source>A double click looks through a camera; the check mark selects the one that renders</source>
+        <translation>Un doble clic mira por una cámara; la marca elige la que se usa para renderizar</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Cámara</translation>
+    </message>
+    <message>
+        <source>Renders</source>
+        <translation>Renderiza</translation>
+    </message>
+    <message>
+        <source>Add a camera</source>
+        <translation>Añadir una cámara</translation>
+    </message>
+    <message>
+        <source>Add a camera at the viewpoint of the 3D view</source>
+        <translation>Añade una cámara en el punto de vista de la vista 3D</translation>
+    </message>
+    <message>
+        <source>Delete the camera</source>
+        <translation>Eliminar la cámara</translation>
+    </message>
+    <message>
+        <source>Move the camera to the view</source>
+        <translation>Mover la cámara a la vista</translation>
+    </message>
+    <message>
+        <source>Move the selected camera to the viewpoint of the 3D view</source>
+        <translation>Mueve la cámara seleccionada al punto de vista de la vista 3D</translation>
+    </message>
+    <message>
+        <source>Look through the camera</source>
+        <translation>Mirar por la cámara</translation>
+    </message>
+    <message>
+        <source>View the scene through the selected camera</source>
+        <translation>Muestra la escena desde la cámara seleccionada</translation>
+    </message>
+    <message>
+        <source>Set camera: %1</source>
+        <translation>Ajustar la cámara: %1</translation>
+    </message>
+    <message>
+        <source>Camera: %1, %2</source>
+        <translation>Cámara: %1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>position of the camera in world space</source>
+        <translation>posición de la cámara en el espacio de la escena</translation>
+    </message>
+    <message>
+        <source>Look at</source>
+        <translation>Mira hacia</translation>
+    </message>
+    <message>
+        <source>the point that the camera looks at, in world space</source>
+        <translation>el punto al que mira la cámara, en el espacio de la escena</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Objetivo</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Campo de visión</translation>
+    </message>
+    <message>
+        <source>Vertical field of view</source>
+        <translation>Campo de visión vertical</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>Distancia focal</translation>
+    </message>
+    <message>
+        <source>Focal length of a full-frame camera, whose sensor is 24 mm high</source>
+        <translation>Distancia focal de una cámara de formato completo, cuyo sensor mide 24 mm de alto</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Enfoque</translation>
+    </message>
+    <message>
+        <source>Lens radius</source>
+        <translation>Radio de la lente</translation>
+    </message>
+    <message>
+        <source>Depth of field: the radius of the lens, half its aperture; 0: everything is sharp</source>
+        <translation>Profundidad de campo: el radio de la lente, la mitad de su apertura; 0: todo es nítido</translation>
+    </message>
+    <message>
+        <source>Focus distance</source>
+        <translation>Distancia de enfoque</translation>
+    </message>
+    <message>
+        <source>Distance to the plane in focus, along the view direction</source>
+        <translation>Distancia al plano enfocado, según la dirección de la vista</translation>
+    </message>
+    <message>
+        <source>Focus on…</source>
+        <translation>Enfocar en…</translation>
+    </message>
+    <message>
+        <source>Click the point of the scene that shall be in focus</source>
+        <translation>Haga clic en el punto de la escena que debe estar enfocado</translation>
+    </message>
+    <message>
+        <source>Level the horizon</source>
+        <translation>Nivelar el horizonte</translation>
+    </message>
+    <message>
+        <source>Remove the roll: the up vector becomes the vertical</source>
+        <translation>Quita el alabeo: el vector hacia arriba pasa a ser la vertical</translation>
+    </message>
+    <message>
+        <source>Add camera</source>
+        <translation>Añadir cámara</translation>
+    </message>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+    <message>
+        <source>Move the camera</source>
+        <translation>Mover la cámara</translation>
+    </message>
+    <message>
+        <source>Focus the camera</source>
+        <translation>Enfocar la cámara</translation>
+    </message>
+    <message>
+        <source>Rename camera</source>
+        <translation>Renombrar cámara</translation>
+    </message>
+    <message>
+        <source>Select the camera that renders</source>
+        <translation>Elegir la cámara que renderiza</translation>
+    </message>
+    <message>
+        <source>Delete camera</source>
+        <translation>Eliminar cámara</translation>
+    </message>
+    <message>
+        <source>Render camera</source>
+        <translation>Cámara de render</translation>
+    </message>
+    <message>
+        <source>The camera of the render options cannot be deleted.</source>
+        <translation>La cámara de las opciones de render no se puede eliminar.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ColourButton</name>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ColourFields</name>
+    <message>
+        <source>Choose a colour: %1</source>
+        <translation>Elegir un color: %1</translation>
+    </message>
+    <message>
+        <source>red</source>
+        <translation>rojo</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>verde</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>azul</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ColourRow</name>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>linear RGB factor of the BRDF</source>
+        <translation>factor RGB lineal de la BRDF</translation>
+    </message>
+    <message>
+        <source>Name of the colour</source>
+        <translation>Nombre del color</translation>
+    </message>
+    <message>
+        <source>A named colour of the scene, or RGB values only for these faces</source>
+        <translation>Un color con nombre de la escena, o valores RGB solo para estas caras</translation>
+    </message>
+    <message>
+        <source>Reset the colour</source>
+        <translation>Restablecer el color</translation>
+    </message>
+    <message>
+        <source>RGB values</source>
+        <translation>Valores RGB</translation>
+    </message>
+    <message>
+        <source>Reset to the default colour: white</source>
+        <translation>Restablece el color por defecto: blanco</translation>
+    </message>
+    <message>
+        <source>The faces have no colour of their own.</source>
+        <translation>Las caras no tienen color propio.</translation>
+    </message>
+    <message>
+        <source>Set colour</source>
+        <translation>Cambiar el color</translation>
+    </message>
+    <message>
+        <source>Reset colour</source>
+        <translation>Restablecer el color</translation>
+    </message>
+</context>
+<context>
+    <name>editor::DataFileRow</name>
+    <message>
+        <source>Data</source>
+        <translation>Datos</translation>
+    </message>
+    <message>
+        <source>File of measured data</source>
+        <translation>Archivo de datos medidos</translation>
+    </message>
+    <message>
+        <source>A .binary file of the MERL BRDF database, by its path or relative to the scene</source>
+        <translation>Un archivo .binary de la base de datos de BRDF MERL, por su ruta o relativo a la escena</translation>
+    </message>
+    <message>
+        <source>Choose the file of measured data</source>
+        <translation>Elegir el archivo de datos medidos</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>varios</translation>
+    </message>
+    <message>
+        <source>choose a measured BRDF</source>
+        <translation>elija una BRDF medida</translation>
+    </message>
+    <message>
+        <source>Measured data</source>
+        <translation>Datos medidos</translation>
+    </message>
+    <message>
+        <source>Measured data (*.binary);;All files (*)</source>
+        <translation>Datos medidos (*.binary);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>editor::Document</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sin título</translation>
+    </message>
+    <message numerus="yes">
+        <source>The edit also applies at %n other place(s) that include the file</source>
+        <translation>
+            <numerusform>La edición se aplica también en %n otro lugar que incluye el archivo</numerusform>
+            <numerusform>La edición se aplica también en otros %n lugares que incluyen el archivo</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>editor::EmissionRow</name>
+    <message>
+        <source>Power</source>
+        <translation>Potencia</translation>
+    </message>
+    <message>
+        <source>Total power of the selected faces: π × area × mean of the radiance&apos;s RGB values</source>
+        <translation>Potencia total de las caras seleccionadas: π × área × media de los valores RGB de la radiancia</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>W</translation>
+    </message>
+    <message>
+        <source>Remove the emission</source>
+        <translation>Quitar la emisión</translation>
+    </message>
+    <message>
+        <source>Remove emission</source>
+        <translation>Quitar la emisión</translation>
+    </message>
+    <message>
+        <source>Radiance</source>
+        <translation>Radiancia</translation>
+    </message>
+    <message>
+        <source>radiance emitted by the front sides, W/(sr m²)</source>
+        <translation>radiancia que emiten los lados frontales, W/(sr m²)</translation>
+    </message>
+    <message>
+        <source>Set radiance</source>
+        <translation>Cambiar la radiancia</translation>
+    </message>
+    <message>
+        <source>Set power to %1 W</source>
+        <translation>Cambiar la potencia a %1 W</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>Remove the emission: the faces emit no light</source>
+        <translation>Quita la emisión: las caras no emiten luz</translation>
+    </message>
+    <message>
+        <source>The faces emit no light.</source>
+        <translation>Las caras no emiten luz.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::EnvironmentForm</name>
+    <message>
+        <source>Environment map</source>
+        <translation>Mapa de entorno</translation>
+    </message>
+    <message>
+        <source>The image whose radiance surrounds the scene and lights it</source>
+        <translation>La imagen cuya radiancia rodea la escena y la ilumina</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>constant background radiance, W/(sr m²)</source>
+        <translation>radiancia constante del fondo, W/(sr m²)</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>Entorno</translation>
+    </message>
+    <message>
+        <source>Set background</source>
+        <translation>Cambiar el fondo</translation>
+    </message>
+    <message>
+        <source>Rotation of the environment</source>
+        <translation>Rotación del entorno</translation>
+    </message>
+    <message>
+        <source>Rotates the environment map about the vertical axis, counter-clockwise seen from above</source>
+        <translation>Rota el mapa de entorno alrededor del eje vertical, en sentido antihorario visto desde arriba</translation>
+    </message>
+    <message>
+        <source>Rotation of the environment, slider</source>
+        <translation>Rotación del entorno, deslizador</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotación</translation>
+    </message>
+    <message>
+        <source>Rotate environment</source>
+        <translation>Rotar el entorno</translation>
+    </message>
+    <message>
+        <source>Brightness of the environment</source>
+        <translation>Brillo del entorno</translation>
+    </message>
+    <message>
+        <source>A factor of the radiance of the environment map or backplate</source>
+        <translation>Un factor de la radiancia del mapa de entorno o del fondo</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Brillo</translation>
+    </message>
+    <message>
+        <source>Set brightness of environment</source>
+        <translation>Cambiar el brillo del entorno</translation>
+    </message>
+    <message>
+        <source>Remove environment</source>
+        <translation>Quitar el entorno</translation>
+    </message>
+    <message>
+        <source>Set environment</source>
+        <translation>Cambiar el entorno</translation>
+    </message>
+    <message>
+        <source>Choose an environment map</source>
+        <translation>Elegir un mapa de entorno</translation>
+    </message>
+    <message>
+        <source>Images (*.exr *.hdr *.pfm *.raw *.png *.jpg *.tga);;All files (*)</source>
+        <translation>Imágenes (*.exr *.hdr *.pfm *.raw *.png *.jpg *.tga);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>None: a constant background</source>
+        <translation>Ninguno: un fondo constante</translation>
+    </message>
+    <message>
+        <source>Choose a file…</source>
+        <translation>Elegir un archivo…</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ErrorCurve</name>
+    <message>
+        <source>Estimated error over time</source>
+        <translation>Error estimado según el tiempo</translation>
+    </message>
+    <message>
+        <source>Estimated relative error of the image (square root of relMSE, in percent, logarithmic) over the seconds of rendering. The dashed line is the target error</source>
+        <translation>Error relativo estimado de la imagen (raíz cuadrada de relMSE, en tanto por ciento, logarítmico) según los segundos de render. La línea discontinua es el error objetivo</translation>
+    </message>
+    <message>
+        <source>The estimated error of a render appears here</source>
+        <translation>El error estimado de un render aparece aquí</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>segundos</translation>
+    </message>
+    <message>
+        <source>estimated error in %</source>
+        <translation>error estimado en %</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formato</translation>
+    </message>
+    <message>
+        <source>Format of the exported file</source>
+        <translation>Formato del archivo exportado</translation>
+    </message>
+    <message>
+        <source>Grammar of &amp;2008, without extensions</source>
+        <translation>Gramática de &amp;2008, sin extensiones</translation>
+    </message>
+    <message>
+        <source>For programs that read only the first version of GRF</source>
+        <translation>Para programas que solo leen la primera versión de GRF</translation>
+    </message>
+    <message>
+        <source>F&amp;ile</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Formato</translation>
+    </message>
+    <message>
+        <source>Summary of losses</source>
+        <translation>Resumen de pérdidas</translation>
+    </message>
+    <message>
+        <source>Losses</source>
+        <translation>Pérdidas</translation>
+    </message>
+    <message>
+        <source>What the file will not have of the scene</source>
+        <translation>Lo que el archivo no tendrá de la escena</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportar</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Name of the exported file; its extension selects the format</source>
+        <translation>Nombre del archivo exportado; su extensión elige el formato</translation>
+    </message>
+    <message>
+        <source>Browse for a file</source>
+        <translation>Buscar un archivo</translation>
+    </message>
+    <message>
+        <source>Choose the exported file</source>
+        <translation>Elegir el archivo exportado</translation>
+    </message>
+    <message>
+        <source>Finding out what will be lost...</source>
+        <translation>Se está averiguando qué se perderá...</translation>
+    </message>
+    <message>
+        <source>The scene cannot be written in this format:</source>
+        <translation>La escena no se puede escribir en este formato:</translation>
+    </message>
+    <message>
+        <source>Nothing will be lost.</source>
+        <translation>No se perderá nada.</translation>
+    </message>
+    <message>
+        <source>This will be lost:</source>
+        <translation>Esto se perderá:</translation>
+    </message>
+    <message>
+        <source>Replace file</source>
+        <translation>Reemplazar el archivo</translation>
+    </message>
+    <message>
+        <source>%1 exists.</source>
+        <translation>%1 ya existe.</translation>
+    </message>
+    <message>
+        <source>Exporting overwrites it.</source>
+        <translation>La exportación lo sobrescribe.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+</context>
+<context>
+    <name>editor::FaceQueryDialog</name>
+    <message>
+        <source>Select faces by</source>
+        <translation>Seleccionar caras por</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>cualquiera</translation>
+    </message>
+    <message>
+        <source>Name of a BRDF&apos;s definition, or of its model; * stands for any letters, ? for one</source>
+        <translation>Nombre de la definición de una BRDF, o de su modelo; * representa cualesquiera letras, ? una</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Direction of the faces&apos; normals in world space; y is up</source>
+        <translation>Dirección de las normales de las caras en el espacio de la escena; y apunta hacia arriba</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Largest angle between normal and direction</source>
+        <translation>Ángulo máximo entre la normal y la dirección</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>hasta</translation>
+    </message>
+    <message>
+        <source>Least area</source>
+        <translation>Área mínima</translation>
+    </message>
+    <message>
+        <source>Least area of a face in world space, m²</source>
+        <translation>Área mínima de una cara en el espacio de la escena, m²</translation>
+    </message>
+    <message>
+        <source>Largest area</source>
+        <translation>Área máxima</translation>
+    </message>
+    <message>
+        <source>Largest area of a face in world space, m²</source>
+        <translation>Área máxima de una cara en el espacio de la escena, m²</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Área</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>a</translation>
+    </message>
+    <message>
+        <source>Lowest y</source>
+        <translation>y mínima</translation>
+    </message>
+    <message>
+        <source>Least height of all corners of a face: y in world space</source>
+        <translation>Altura mínima de todas las esquinas de una cara: y en el espacio de la escena</translation>
+    </message>
+    <message>
+        <source>Highest y</source>
+        <translation>y máxima</translation>
+    </message>
+    <message>
+        <source>Largest height of all corners of a face: y in world space</source>
+        <translation>Altura máxima de todas las esquinas de una cara: y en el espacio de la escena</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Same %1</source>
+        <translation>Igual: %1</translation>
+    </message>
+    <message>
+        <source>Tolerance of the %1</source>
+        <translation>Tolerancia: %1</translation>
+    </message>
+    <message>
+        <source>BRDF</source>
+        <translation>BRDF</translation>
+    </message>
+    <message>
+        <source>The BRDF is that of a selected face</source>
+        <translation>La BRDF es la de una cara seleccionada</translation>
+    </message>
+    <message>
+        <source>sampling</source>
+        <translation>muestreo</translation>
+    </message>
+    <message>
+        <source>The sampling scheme is that of a selected face</source>
+        <translation>El esquema de muestreo es el de una cara seleccionada</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>color</translation>
+    </message>
+    <message>
+        <source>The colour is that of a selected face</source>
+        <translation>El color es el de una cara seleccionada</translation>
+    </message>
+    <message>
+        <source>texture</source>
+        <translation>textura</translation>
+    </message>
+    <message>
+        <source>The texture is that of a selected face</source>
+        <translation>La textura es la de una cara seleccionada</translation>
+    </message>
+    <message>
+        <source>emission</source>
+        <translation>emisión</translation>
+    </message>
+    <message>
+        <source>The emission is that of a selected face</source>
+        <translation>La emisión es la de una cara seleccionada</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>objeto</translation>
+    </message>
+    <message>
+        <source>The face belongs to the mesh of a selected face</source>
+        <translation>La cara es de la malla de una cara seleccionada</translation>
+    </message>
+    <message>
+        <source>As selected</source>
+        <translation>Como la selección</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>Largest angle to the mean normal of the selected faces</source>
+        <translation>Ángulo máximo con la normal media de las caras seleccionadas</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>área</translation>
+    </message>
+    <message>
+        <source>Largest deviation from the mean area of the selected faces, in percent of it</source>
+        <translation>Desviación máxima del área media de las caras seleccionadas, en tanto por ciento de ella</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Encontradas</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Reemplazar</translation>
+    </message>
+    <message>
+        <source>Select the found faces only</source>
+        <translation>Selecciona solo las caras encontradas</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Añadir</translation>
+    </message>
+    <message>
+        <source>Add the found faces to the selection</source>
+        <translation>Añade las caras encontradas a la selección</translation>
+    </message>
+    <message>
+        <source>&amp;Subtract</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>Remove the found faces from the selection</source>
+        <translation>Quita las caras encontradas de la selección</translation>
+    </message>
+    <message>
+        <source>&amp;Intersect</source>
+        <translation>&amp;Intersecar</translation>
+    </message>
+    <message>
+        <source>Keep only the found faces selected</source>
+        <translation>Deja seleccionadas solo las caras encontradas</translation>
+    </message>
+    <message>
+        <source>No face is selected to compare with</source>
+        <translation>No hay ninguna cara seleccionada con la que comparar</translation>
+    </message>
+    <message>
+        <source>1 face</source>
+        <translation>1 cara</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 caras</translation>
+    </message>
+</context>
+<context>
+    <name>editor::FigureView</name>
+    <message>
+        <source>Figure</source>
+        <translation>Figura</translation>
+    </message>
+    <message>
+        <source>Point at a part of the figure to read its values; drag it or use the arrow keys to turn it</source>
+        <translation>Apunte a una parte de la figura para leer sus valores; arrástrela o use las flechas para girarla</translation>
+    </message>
+</context>
+<context>
+    <name>editor::FileActions</name>
+    <message>
+        <source>Scenes and models (%1);;All files (*)</source>
+        <translation>Escenas y modelos (%1);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Nuevo</translation>
+    </message>
+    <message>
+        <source>Start an empty scene</source>
+        <translation>Empieza una escena vacía</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Abrir...</translation>
+    </message>
+    <message>
+        <source>Open scenes, or import models of other formats</source>
+        <translation>Abre escenas, o importa modelos de otros formatos</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>A&amp;ppend...</source>
+        <translation>Aña&amp;dir...</translation>
+    </message>
+    <message>
+        <source>Append scenes or models to this one</source>
+        <translation>Añade escenas o modelos a esta</translation>
+    </message>
+    <message>
+        <source>Append</source>
+        <translation>Añadir</translation>
+    </message>
+    <message>
+        <source>Append with op&amp;tions...</source>
+        <translation>Añadir con &amp;opciones...</translation>
+    </message>
+    <message>
+        <source>Append models, and show the import options, also if they are hidden for their type</source>
+        <translation>Añade modelos y muestra las opciones de importación, también si están ocultas para su tipo</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>Guarda la escena</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Guardar &amp;como...</translation>
+    </message>
+    <message>
+        <source>Save the scene under another name</source>
+        <translation>Guarda la escena con otro nombre</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert</source>
+        <translation>Re&amp;vertir</translation>
+    </message>
+    <message>
+        <source>Revert to the saved file of the scene</source>
+        <translation>Vuelve al archivo guardado de la escena</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation>&amp;Exportar...</translation>
+    </message>
+    <message>
+        <source>Export the scene to another format</source>
+        <translation>Exporta la escena a otro formato</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Abrir &amp;reciente</translation>
+    </message>
+    <message>
+        <source>Import &amp;memory limit...</source>
+        <translation>Límite de &amp;memoria al importar...</translation>
+    </message>
+    <message>
+        <source>Set how much memory the import of a model may use</source>
+        <translation>Fija cuánta memoria puede usar la importación de un modelo</translation>
+    </message>
+    <message>
+        <source>Import memory limit</source>
+        <translation>Límite de memoria al importar</translation>
+    </message>
+    <message>
+        <source>Cancel the import of a model if it needs more memory than this (GB):</source>
+        <translation>Cancelar la importación de un modelo si necesita más memoria que esta (GB):</translation>
+    </message>
+    <message>
+        <source>No recent files</source>
+        <translation>No hay archivos recientes</translation>
+    </message>
+    <message>
+        <source>Save as: irradiance needs an IGRF file</source>
+        <translation>Guardar como: la irradiancia necesita un archivo IGRF</translation>
+    </message>
+    <message>
+        <source>IGRF scenes (*.igrf)</source>
+        <translation>Escenas IGRF (*.igrf)</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Guardar como</translation>
+    </message>
+    <message>
+        <source>GRF scenes (*.grf *.igrf)</source>
+        <translation>Escenas GRF (*.grf *.igrf)</translation>
+    </message>
+    <message>
+        <source>Append %1 files</source>
+        <translation>Añadir %1 archivos</translation>
+    </message>
+    <message>
+        <source>Append %1</source>
+        <translation>Añadir %1</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Abrir %1</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Importar %1</translation>
+    </message>
+    <message>
+        <source>Cancel: the scene stays as it is</source>
+        <translation>Cancela: la escena queda como está</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Cancelado</translation>
+    </message>
+    <message>
+        <source>Appended %1</source>
+        <translation>Se ha añadido %1</translation>
+    </message>
+    <message>
+        <source>Appended %1 files</source>
+        <translation>Se han añadido %1 archivos</translation>
+    </message>
+    <message>
+        <source>%1, with losses: %2</source>
+        <translation>%1, con pérdidas: %2</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>Se ha abierto %1</translation>
+    </message>
+    <message>
+        <source>Imported %1</source>
+        <translation>Se ha importado %1</translation>
+    </message>
+    <message>
+        <source>Save %1</source>
+        <translation>Guardar %1</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Se ha guardado %1</translation>
+    </message>
+    <message>
+        <source>Replace files</source>
+        <translation>Reemplazar archivos</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, or belongs to another scene.</source>
+        <translation>Otro programa ha cambiado %1, o es de otra escena.</translation>
+    </message>
+    <message>
+        <source>Saving overwrites them.</source>
+        <translation>Guardar los sobrescribe.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>Cannot revert: the scene was never saved</source>
+        <translation>No se puede revertir: la escena nunca se ha guardado</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Revertir</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved changes.</source>
+        <translation>%1 tiene cambios sin guardar.</translation>
+    </message>
+    <message>
+        <source>Reverting discards them. This cannot be undone.</source>
+        <translation>Revertir los descarta. No se puede deshacer.</translation>
+    </message>
+    <message>
+        <source>Cannot export %1: no format with this extension can be written</source>
+        <translation>No se puede exportar %1: no hay ningún formato con esta extensión que se pueda escribir</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Se ha exportado %1</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>Exportar %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>Discarding them cannot be undone.</source>
+        <translation>Descartarlos no se puede deshacer.</translation>
+    </message>
+    <message>
+        <source>Keep editing</source>
+        <translation>Seguir editando</translation>
+    </message>
+</context>
+<context>
+    <name>editor::FinalRender</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sin título</translation>
+    </message>
+    <message>
+        <source>a render is already running: stop it first</source>
+        <translation>ya hay un render en marcha: deténgalo antes</translation>
+    </message>
+    <message>
+        <source>the output %1 is the scene&apos;s environment map: choose another output</source>
+        <translation>la salida %1 es el mapa de entorno de la escena: elija otra salida</translation>
+    </message>
+    <message>
+        <source>%1 exists and was not rendered in this session: choose another output</source>
+        <translation>%1 ya existe y no se renderizó en esta sesión: elija otra salida</translation>
+    </message>
+    <message>
+        <source>another render is writing %1: wait for it, or choose another output</source>
+        <translation>otro render está escribiendo %1: espere, o elija otra salida</translation>
+    </message>
+    <message>
+        <source>stopped before the first image</source>
+        <translation>detenido antes de la primera imagen</translation>
+    </message>
+    <message>
+        <source>the renderer wrote no image</source>
+        <translation>el programa de render no escribió ninguna imagen</translation>
+    </message>
+</context>
+<context>
+    <name>editor::FittedImage</name>
+    <message>
+        <source>Image</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>The image rendered so far. Click or press Return to open it</source>
+        <translation>La imagen renderizada hasta ahora. Haga clic o pulse Intro para abrirla</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ImageBrowser</name>
+    <message>
+        <source>Drop an image here, open one, or render: exr, hdr, pfm, raw, png, jpg or tga.</source>
+        <translation>Suelte aquí una imagen, abra una o renderice: exr, hdr, pfm, raw, png, jpg o tga.</translation>
+    </message>
+    <message>
+        <source>Values of the pixel</source>
+        <translation>Valores del píxel</translation>
+    </message>
+    <message>
+        <source>Linear values of the pixel under the pointer</source>
+        <translation>Valores lineales del píxel bajo el puntero</translation>
+    </message>
+    <message>
+        <source>Image statistics</source>
+        <translation>Estadísticas de la imagen</translation>
+    </message>
+    <message>
+        <source>Statistics of the whole image: its range and mean, or its error against B</source>
+        <translation>Estadísticas de toda la imagen: su rango y su media, o su error respecto a B</translation>
+    </message>
+    <message>
+        <source>Open images</source>
+        <translation>Abrir imágenes</translation>
+    </message>
+    <message>
+        <source>Save the image</source>
+        <translation>Guardar la imagen</translation>
+    </message>
+    <message>
+        <source>A - B: %1 against %2</source>
+        <translation>A - B: %1 frente a %2</translation>
+    </message>
+    <message>
+        <source>Point at a pixel to read its values.</source>
+        <translation>Apunte a un píxel para leer sus valores.</translation>
+    </message>
+    <message>
+        <source>R %1  G %2  B %3</source>
+        <translation>R %1  G %2  B %3</translation>
+    </message>
+    <message>
+        <source>RMSE %1</source>
+        <translation>RMSE %1</translation>
+    </message>
+    <message>
+        <source>relMSE %1</source>
+        <translation>relMSE %1</translation>
+    </message>
+    <message>
+        <source>average relative error %1 %</source>
+        <translation>error relativo medio %1 %</translation>
+    </message>
+    <message>
+        <source>PSNR %1 dB</source>
+        <translation>PSNR %1 dB</translation>
+    </message>
+    <message>
+        <source>PSNR infinite</source>
+        <translation>PSNR infinita</translation>
+    </message>
+    <message>
+        <source>%1 x %2</source>
+        <translation>%1 x %2</translation>
+    </message>
+    <message>
+        <source>%1 NaN (magenta)</source>
+        <translation>%1 NaN (magenta)</translation>
+    </message>
+    <message>
+        <source>%1 infinite (cyan)</source>
+        <translation>%1 infinitos (cian)</translation>
+    </message>
+    <message>
+        <source>%1 negative</source>
+        <translation>%1 negativos</translation>
+    </message>
+    <message>
+        <source>B is %1 x %2: a difference needs images of the same size</source>
+        <translation>B es de %1 x %2: una diferencia necesita imágenes del mismo tamaño</translation>
+    </message>
+    <message>
+        <source>x %1  y %2   %3</source>
+        <translation>x %1  y %2   %3</translation>
+    </message>
+    <message>
+        <source>   B: %1</source>
+        <translation>   B: %1</translation>
+    </message>
+    <message>
+        <source>   luminance %1 cd/m2</source>
+        <translation>   luminancia %1 cd/m2</translation>
+    </message>
+    <message>
+        <source>Images (*.exr *.hdr *.pfm *.raw *.png *.jpg *.jpeg *.tga);;All files (*)</source>
+        <translation>Imágenes (*.exr *.hdr *.pfm *.raw *.png *.jpg *.jpeg *.tga);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ImageController</name>
+    <message>
+        <source>Images</source>
+        <translation>Imágenes</translation>
+    </message>
+    <message>
+        <source>View and compare images of renders and files</source>
+        <translation>Muestra y compara imágenes de renders y de archivos</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ImagePane</name>
+    <message>
+        <source>Image</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the image; [ and ] move the line between two images.</source>
+        <translation>Las flechas mueven la imagen; [ y ] mueven la línea entre dos imágenes.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ImageProcess</name>
+    <message>
+        <source>cannot read the image: cannot find the program bpt</source>
+        <translation>no se puede leer la imagen: no se encuentra el programa bpt</translation>
+    </message>
+    <message>
+        <source>cannot read the image: out of memory</source>
+        <translation>no se puede leer la imagen: falta memoria</translation>
+    </message>
+    <message>
+        <source>cannot read the image: decoding takes longer than %1 s</source>
+        <translation>no se puede leer la imagen: la decodificación tarda más de %1 s</translation>
+    </message>
+    <message>
+        <source>cannot read the image: cannot start the program bpt: %1</source>
+        <translation>no se puede leer la imagen: no se puede iniciar el programa bpt: %1</translation>
+    </message>
+    <message>
+        <source>cannot read the image: the file is corrupt (its decoder crashed)</source>
+        <translation>no se puede leer la imagen: el archivo está dañado (su decodificador falló)</translation>
+    </message>
+    <message>
+        <source>cannot read the image: the file is corrupt (its decoder wrote no image)</source>
+        <translation>no se puede leer la imagen: el archivo está dañado (su decodificador no escribió ninguna imagen)</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ImageServer</name>
+    <message>
+        <source>A program sent data that is not a packet of the tev protocol, and was disconnected.</source>
+        <translation>Un programa envió datos que no son un paquete del protocolo de tev, y se ha desconectado.</translation>
+    </message>
+    <message>
+        <source>A program sent a damaged packet of the tev protocol, and was disconnected.</source>
+        <translation>Un programa envió un paquete dañado del protocolo de tev, y se ha desconectado.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ImageTools</name>
+    <message>
+        <source> (%1)</source>
+        <translation> (%1)</translation>
+    </message>
+    <message>
+        <source>Open images</source>
+        <translation>Abrir imágenes</translation>
+    </message>
+    <message>
+        <source>Open image files: exr, hdr, pfm, raw, png, jpg or tga.</source>
+        <translation>Abre archivos de imagen: exr, hdr, pfm, raw, png, jpg o tga.</translation>
+    </message>
+    <message>
+        <source>Save image as</source>
+        <translation>Guardar la imagen como</translation>
+    </message>
+    <message>
+        <source>Save image A: linear as exr, hdr, pfm and raw, with the exposure applied as png, jpg and tga.</source>
+        <translation>Guarda la imagen A: lineal como exr, hdr, pfm y raw; con la exposición aplicada como png, jpg y tga.</translation>
+    </message>
+    <message>
+        <source>Copy image</source>
+        <translation>Copiar la imagen</translation>
+    </message>
+    <message>
+        <source>Copy the image to the clipboard as the screen shows it.</source>
+        <translation>Copia la imagen al portapapeles como se ve en pantalla.</translation>
+    </message>
+    <message>
+        <source>Close image</source>
+        <translation>Cerrar la imagen</translation>
+    </message>
+    <message>
+        <source>Remove image A from the list; its file is kept.</source>
+        <translation>Quita la imagen A de la lista; su archivo se conserva.</translation>
+    </message>
+    <message>
+        <source>The wheel also zooms, about the pointer.</source>
+        <translation>La rueda también amplía, alrededor del puntero.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustar</translation>
+    </message>
+    <message>
+        <source>Fit the whole image into the view.</source>
+        <translation>Ajusta toda la imagen a la vista.</translation>
+    </message>
+    <message>
+        <source>Actual size</source>
+        <translation>Tamaño real</translation>
+    </message>
+    <message>
+        <source>Show one image pixel per screen pixel.</source>
+        <translation>Muestra un píxel de la imagen por píxel de la pantalla.</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Acercar</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Alejar</translation>
+    </message>
+    <message>
+        <source>Flip to B</source>
+        <translation>Alternar con B</translation>
+    </message>
+    <message>
+        <source>Show B in place of A until pressed again.</source>
+        <translation>Muestra B en lugar de A hasta que se pulse de nuevo.</translation>
+    </message>
+    <message>
+        <source>Swap A and B</source>
+        <translation>Intercambiar A y B</translation>
+    </message>
+    <message>
+        <source>Exchange the image and the reference.</source>
+        <translation>Intercambia la imagen y la referencia.</translation>
+    </message>
+    <message>
+        <source>Brighter</source>
+        <translation>Más clara</translation>
+    </message>
+    <message>
+        <source>Increase the exposure by half a stop</source>
+        <translation>Aumenta la exposición medio paso</translation>
+    </message>
+    <message>
+        <source>Darker</source>
+        <translation>Más oscura</translation>
+    </message>
+    <message>
+        <source>Decrease the exposure by half a stop</source>
+        <translation>Reduce la exposición medio paso</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Show all three channels</source>
+        <translation>Muestra los tres canales</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rojo</translation>
+    </message>
+    <message>
+        <source>Show the red channel</source>
+        <translation>Muestra el canal rojo</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Verde</translation>
+    </message>
+    <message>
+        <source>Show the green channel</source>
+        <translation>Muestra el canal verde</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Azul</translation>
+    </message>
+    <message>
+        <source>Show the blue channel</source>
+        <translation>Muestra el canal azul</translation>
+    </message>
+    <message>
+        <source>Luminance</source>
+        <translation>Luminancia</translation>
+    </message>
+    <message>
+        <source>Show the luminance in grey</source>
+        <translation>Muestra la luminancia en gris</translation>
+    </message>
+    <message>
+        <source>False colour</source>
+        <translation>Falso color</translation>
+    </message>
+    <message>
+        <source>Show the luminance in false colours</source>
+        <translation>Muestra la luminancia en falso color</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
+    </message>
+    <message>
+        <source>Zoom: screen pixels per image pixel.</source>
+        <translation>Ampliación: píxeles de la pantalla por píxel de la imagen.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Image A</source>
+        <translation>Imagen A</translation>
+    </message>
+    <message>
+        <source>The displayed image.</source>
+        <translation>La imagen que se muestra.</translation>
+    </message>
+    <message>
+        <source>Image B</source>
+        <translation>Imagen B</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Comparación</translation>
+    </message>
+    <message>
+        <source>Only A</source>
+        <translation>Solo A</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>Cortinilla</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Lado a lado</translation>
+    </message>
+    <message>
+        <source>Signed difference</source>
+        <translation>Diferencia con signo</translation>
+    </message>
+    <message>
+        <source>Absolute difference</source>
+        <translation>Diferencia absoluta</translation>
+    </message>
+    <message>
+        <source>Relative difference</source>
+        <translation>Diferencia relativa</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>How A and B are compared: only A, with a wipe line that can be dragged, side by side, or as a difference.</source>
+        <translation>Cómo se comparan A y B: solo A, con una cortinilla que se puede arrastrar, lado a lado, o como diferencia.</translation>
+    </message>
+    <message>
+        <source>Choose an image as B first.</source>
+        <translation>Elija antes una imagen como B.</translation>
+    </message>
+    <message>
+        <source>The reference that A is compared with.</source>
+        <translation>La referencia con la que se compara A.</translation>
+    </message>
+    <message>
+        <source>Open a second image to compare with.</source>
+        <translation>Abra una segunda imagen con la que comparar.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ImageWindow</name>
+    <message>
+        <source>Images - wannabe</source>
+        <translation>Imágenes - wannabe</translation>
+    </message>
+    <message>
+        <source>Listening for renders with BPT_DisplayWindow on 127.0.0.1:%1.</source>
+        <translation>A la espera de renders con BPT_DisplayWindow en 127.0.0.1:%1.</translation>
+    </message>
+    <message>
+        <source>Cannot listen for renders on port %1: %2.</source>
+        <translation>No se pueden recibir renders en el puerto %1: %2.</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Cerrar</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Cierra esta ventana</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ImportDialog</name>
+    <message>
+        <source>1 face</source>
+        <translation>1 cara</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 caras</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 m, %4</source>
+        <translation>%1 × %2 × %3 m, %4</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Importar %1</translation>
+    </message>
+    <message>
+        <source>Do not show &amp;again for .%1 files</source>
+        <translation>No volver a &amp;mostrar para archivos .%1</translation>
+    </message>
+    <message>
+        <source>Do not show again</source>
+        <translation>No volver a mostrar</translation>
+    </message>
+    <message>
+        <source>Import with these options at once; File &gt; Import with options shows them again</source>
+        <translation>Importa al momento con estas opciones; Archivo &gt; Añadir con opciones las vuelve a mostrar</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importar</translation>
+    </message>
+    <message>
+        <source>Picture of the model</source>
+        <translation>Imagen del modelo</translation>
+    </message>
+    <message>
+        <source>Resulting size</source>
+        <translation>Tamaño resultante</translation>
+    </message>
+    <message>
+        <source>Size of the imported model along x, y and z, with y up</source>
+        <translation>Tamaño del modelo importado según x, y y z, con y hacia arriba</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Eje vertical</translation>
+    </message>
+    <message>
+        <source>The axis of the file that points up; it becomes y</source>
+        <translation>El eje del archivo que apunta hacia arriba; pasa a ser y</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>The unit of the file&apos;s lengths; they become metres</source>
+        <translation>La unidad de las longitudes del archivo; pasan a metros</translation>
+    </message>
+    <message>
+        <source>&amp;Up axis</source>
+        <translation>Eje &amp;vertical</translation>
+    </message>
+    <message>
+        <source>Uni&amp;t</source>
+        <translation>&amp;Unidad</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normales</translation>
+    </message>
+    <message>
+        <source>Vertex normals: those of the file, smooth ones, or none</source>
+        <translation>Normales de los vértices: las del archivo, suaves, o ninguna</translation>
+    </message>
+    <message>
+        <source>from the file</source>
+        <translation>del archivo</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>suaves</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>planas</translation>
+    </message>
+    <message>
+        <source>Crease angle</source>
+        <translation>Ángulo de arista</translation>
+    </message>
+    <message>
+        <source>Edges over this angle stay sharp.</source>
+        <translation>Las aristas por encima de este ángulo quedan vivas.</translation>
+    </message>
+    <message>
+        <source>&amp;Weld</source>
+        <translation>&amp;Soldar</translation>
+    </message>
+    <message>
+        <source>Merge vertices that are closer than the tolerance</source>
+        <translation>Une los vértices que están más cerca que la tolerancia</translation>
+    </message>
+    <message>
+        <source>Weld tolerance</source>
+        <translation>Tolerancia al soldar</translation>
+    </message>
+    <message>
+        <source>In the unit of the file; 0 merges equal positions.</source>
+        <translation>En la unidad del archivo; 0 une posiciones iguales.</translation>
+    </message>
+    <message>
+        <source>&amp;Decimate to %</source>
+        <translation>&amp;Diezmar al %</translation>
+    </message>
+    <message>
+        <source>Reduce the triangles to about this percentage</source>
+        <translation>Reduce los triángulos a este porcentaje, aproximadamente</translation>
+    </message>
+    <message>
+        <source>Percentage of triangles</source>
+        <translation>Porcentaje de triángulos</translation>
+    </message>
+    <message>
+        <source>Percentage to keep.</source>
+        <translation>Porcentaje que se conserva.</translation>
+    </message>
+    <message>
+        <source>&amp;Normals</source>
+        <translation>Norma&amp;les</translation>
+    </message>
+    <message>
+        <source>BRDF</source>
+        <translation>BRDF</translation>
+    </message>
+    <message>
+        <source>BRDF for faces without a material, such as ward sx=0.15 ks=0.3 kd=0.2</source>
+        <translation>BRDF para las caras sin material, como ward sx=0.15 ks=0.3 kd=0.2</translation>
+    </message>
+    <message>
+        <source>&amp;BRDF</source>
+        <translation>&amp;BRDF</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objetos</translation>
+    </message>
+    <message>
+        <source>The objects to import, with their numbers of faces</source>
+        <translation>Los objetos que se importan, con su número de caras</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;Objects</source>
+        <translation>&amp;Objetos</translation>
+    </message>
+</context>
+<context>
+    <name>editor::IrradianceBake</name>
+    <message>
+        <source>irradiance is already being baked: stop that first</source>
+        <translation>ya se está precalculando la irradiancia: deténgalo antes</translation>
+    </message>
+    <message>
+        <source>stopped before any irradiance was computed</source>
+        <translation>detenido antes de calcular ninguna irradiancia</translation>
+    </message>
+</context>
+<context>
+    <name>editor::Job</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Remove this job from the queue</source>
+        <translation>Quitar este trabajo de la cola</translation>
+    </message>
+</context>
+<context>
+    <name>editor::JobPanel</name>
+    <message>
+        <source>Waiting</source>
+        <translation>En espera</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marcha</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 · %2 left</source>
+        <translation>%1 · quedan %2</translation>
+    </message>
+    <message>
+        <source>Progress of %1</source>
+        <translation>Progreso de %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Cancel %1</source>
+        <translation>Cancelar %1</translation>
+    </message>
+    <message>
+        <source>No jobs are running. Imports, saves, renders and other long tasks appear here</source>
+        <translation>No hay trabajos en marcha. Las importaciones, el guardado, los renders y otras tareas largas aparecen aquí</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Trabajos</translation>
+    </message>
+    <message>
+        <source>Running and queued jobs</source>
+        <translation>Trabajos en marcha y en cola</translation>
+    </message>
+</context>
+<context>
+    <name>editor::LampForm</name>
+    <message>
+        <source>Set light: %1</source>
+        <translation>Ajustar la luz: %1</translation>
+    </message>
+    <message>
+        <source>centre of the light in world space</source>
+        <translation>centro de la luz en el espacio de la escena</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>Position, x</source>
+        <translation>Posición, x</translation>
+    </message>
+    <message>
+        <source>x: %1</source>
+        <translation>x: %1</translation>
+    </message>
+    <message>
+        <source>Position, y</source>
+        <translation>Posición, y</translation>
+    </message>
+    <message>
+        <source>y, upwards: %1</source>
+        <translation>y, hacia arriba: %1</translation>
+    </message>
+    <message>
+        <source>Position, z</source>
+        <translation>Posición, z</translation>
+    </message>
+    <message>
+        <source>z: %1</source>
+        <translation>z: %1</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Guiñada</translation>
+    </message>
+    <message>
+        <source>Yaw of the direction of emission about +y, counter-clockwise seen from above: 0 is toward -z, 90 toward -x</source>
+        <translation>Guiñada de la dirección de emisión alrededor de +y, en sentido antihorario vista desde arriba: 0 es hacia -z, 90 hacia -x</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Elevación</translation>
+    </message>
+    <message>
+        <source>Elevation of the direction of emission above the horizon: -90 is straight down, 90 straight up</source>
+        <translation>Elevación de la dirección de emisión sobre el horizonte: -90 es hacia abajo en vertical, 90 hacia arriba</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Alabeo</translation>
+    </message>
+    <message>
+        <source>Roll about the direction of emission; at 0 the width is horizontal</source>
+        <translation>Alabeo alrededor de la dirección de emisión; con 0 el ancho es horizontal</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Width of the rectangle, edge 1 of the area light</source>
+        <translation>Ancho del rectángulo, la arista 1 de la luz de área</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Height of the rectangle, edge 2 of the area light</source>
+        <translation>Alto del rectángulo, la arista 2 de la luz de área</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
+    <message>
+        <source>Radius of disc or sphere</source>
+        <translation>Radio del disco o de la esfera</translation>
+    </message>
+    <message>
+        <source>Radiance</source>
+        <translation>Radiancia</translation>
+    </message>
+    <message>
+        <source>emitted radiance, W/(sr m²)</source>
+        <translation>radiancia emitida, W/(sr m²)</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Potencia</translation>
+    </message>
+    <message>
+        <source>Emitted power: π × area × mean of the radiance&apos;s RGB values</source>
+        <translation>Potencia emitida: π × área × media de los valores RGB de la radiancia</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>W</translation>
+    </message>
+    <message>
+        <source>Colour temperature</source>
+        <translation>Temperatura de color</translation>
+    </message>
+    <message>
+        <source>Colour temperature: sets the radiance to the colour of a black body, with the same power. Candles have 1900 K, halogen lamps 3000 K, daylight 6500 K</source>
+        <translation>Temperatura de color: da a la radiancia el color de un cuerpo negro, con la misma potencia. Las velas tienen 1900 K, las lámparas halógenas 3000 K, la luz de día 6500 K</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatura</translation>
+    </message>
+    <message>
+        <source>Set light radiance</source>
+        <translation>Cambiar la radiancia de la luz</translation>
+    </message>
+    <message>
+        <source>Set light power</source>
+        <translation>Cambiar la potencia de la luz</translation>
+    </message>
+    <message>
+        <source>Set light colour temperature</source>
+        <translation>Cambiar la temperatura de color de la luz</translation>
+    </message>
+    <message>
+        <source>Aim</source>
+        <translation>Apuntar</translation>
+    </message>
+    <message>
+        <source>Turn the light toward the point that is clicked next in the 3D view; Escape cancels</source>
+        <translation>Gira la luz hacia el punto en el que se haga clic en la vista 3D; Escape cancela</translation>
+    </message>
+    <message>
+        <source>Highlight</source>
+        <translation>Reflejo</translation>
+    </message>
+    <message>
+        <source>Place the light, at its distance, so that its reflection is where you click or drag in the 3D view; Escape cancels</source>
+        <translation>Coloca la luz, a su distancia, de modo que su reflejo esté donde haga clic o arrastre en la vista 3D; Escape cancela</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+</context>
+<context>
+    <name>editor::LibraryList</name>
+    <message>
+        <source>BRDFs of the library</source>
+        <translation>BRDF de la biblioteca</translation>
+    </message>
+    <message>
+        <source>Double-click, press Return or drag to assign a BRDF to the selected faces</source>
+        <translation>Haga doble clic, pulse Intro o arrastre para asignar una BRDF a las caras seleccionadas</translation>
+    </message>
+</context>
+<context>
+    <name>editor::LightPanel</name>
+    <message>
+        <source>light</source>
+        <translation>claro</translation>
+    </message>
+    <message>
+        <source>mesh light</source>
+        <translation>malla emisora</translation>
+    </message>
+    <message>
+        <source>faces of a mesh</source>
+        <translation>caras de una malla</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Luces</translation>
+    </message>
+    <message>
+        <source>Lights of the scene</source>
+        <translation>Luces de la escena</translation>
+    </message>
+    <message>
+        <source>All emitters, with their world-space area and their emitted power</source>
+        <translation>Todos los emisores, con su área en el espacio de la escena y su potencia emitida</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Luz</translation>
+    </message>
+    <message>
+        <source>Area, m²</source>
+        <translation>Área, m²</translation>
+    </message>
+    <message>
+        <source>Power, W</source>
+        <translation>Potencia, W</translation>
+    </message>
+    <message>
+        <source>Add a light</source>
+        <translation>Añadir una luz</translation>
+    </message>
+    <message>
+        <source>Add a rectangular light above the scene, facing down; the arrow has discs and spheres</source>
+        <translation>Añade una luz rectangular sobre la escena, hacia abajo; la flecha tiene discos y esferas</translation>
+    </message>
+    <message>
+        <source>&amp;Rectangle</source>
+        <translation>&amp;Rectángulo</translation>
+    </message>
+    <message>
+        <source>Add a rectangular light above the scene, facing down</source>
+        <translation>Añade una luz rectangular sobre la escena, hacia abajo</translation>
+    </message>
+    <message>
+        <source>&amp;Disc</source>
+        <translation>&amp;Disco</translation>
+    </message>
+    <message>
+        <source>Add a disc above the scene, facing down: a mesh light</source>
+        <translation>Añade un disco sobre la escena, hacia abajo: una malla emisora</translation>
+    </message>
+    <message>
+        <source>&amp;Sphere</source>
+        <translation>&amp;Esfera</translation>
+    </message>
+    <message>
+        <source>Add a spherical light above the scene: a mesh light</source>
+        <translation>Añade una luz esférica sobre la escena: una malla emisora</translation>
+    </message>
+    <message>
+        <source>Delete the light</source>
+        <translation>Eliminar la luz</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <translation>Esquina</translation>
+    </message>
+    <message>
+        <source>Edge 1</source>
+        <translation>Arista 1</translation>
+    </message>
+    <message>
+        <source>Edge 2</source>
+        <translation>Arista 2</translation>
+    </message>
+    <message>
+        <source>a corner of the light, in the local space of its transform</source>
+        <translation>una esquina de la luz, en el espacio local de su transformación</translation>
+    </message>
+    <message>
+        <source>edge vector from the corner; the light emits along its normal, edge 1 × edge 2</source>
+        <translation>vector de arista desde la esquina; la luz emite según su normal, arista 1 × arista 2</translation>
+    </message>
+    <message>
+        <source>the other edge vector from the corner</source>
+        <translation>el otro vector de arista desde la esquina</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Move light</source>
+        <translation>Mover la luz</translation>
+    </message>
+    <message>
+        <source>Select a light first; emission of faces is edited in the Surface dock.</source>
+        <translation>Seleccione antes una luz; la emisión de las caras se edita en el panel Superficie.</translation>
+    </message>
+    <message>
+        <source>The scene has no lights.
+
+Add an area light with +, or select faces and set their emission in the Surface dock.</source>
+        <translation>La escena no tiene luces.
+
+Añada una luz de área con +, o seleccione caras y dé un valor a su emisión en el panel Superficie.</translation>
+    </message>
+    <message>
+        <source>Select a light to edit it, or add one.</source>
+        <translation>Seleccione una luz para editarla, o añada una.</translation>
+    </message>
+    <message>
+        <source>One face of a mesh emits. It is selected: edit its emission in the Surface dock.</source>
+        <translation>Emite una cara de una malla. Está seleccionada: edite su emisión en el panel Superficie.</translation>
+    </message>
+    <message>
+        <source>%1 faces of a mesh emit. They are selected: edit their emission in the Surface dock.</source>
+        <translation>Emiten %1 caras de una malla. Están seleccionadas: edite su emisión en el panel Superficie.</translation>
+    </message>
+    <message>
+        <source>Add light</source>
+        <translation>Añadir una luz</translation>
+    </message>
+    <message>
+        <source>Delete light</source>
+        <translation>Eliminar la luz</translation>
+    </message>
+</context>
+<context>
+    <name>editor::LiveSphere</name>
+    <message>
+        <source>Sphere with the BRDF</source>
+        <translation>Esfera con la BRDF</translation>
+    </message>
+    <message>
+        <source>Drag the highlight to move the light, or use the arrow keys; + and - change the exposure</source>
+        <translation>Arrastre el brillo para mover la luz, o use las flechas; + y - cambian la exposición</translation>
+    </message>
+</context>
+<context>
+    <name>editor::LobeView</name>
+    <message>
+        <source>Lobe of the BRDF</source>
+        <translation>Lóbulo de la BRDF</translation>
+    </message>
+    <message>
+        <source>3D lobe: the value in 1/sr for all light directions. Drag or use the arrow keys to orbit, the wheel to zoom; Page Up and Page Down change the view angle by 5 degrees</source>
+        <translation>Lóbulo 3D: el valor en 1/sr para todas las direcciones de la luz. Arrastre o use las flechas para orbitar, la rueda para acercar; Re Pág y Av Pág cambian el ángulo de la vista 5 grados</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>vista</translation>
+    </message>
+    <message>
+        <source>specular</source>
+        <translation>especular</translation>
+    </message>
+    <message>
+        <source>half</source>
+        <translation>media</translation>
+    </message>
+    <message>
+        <source>%1: maximum %2 1/sr, view %3°</source>
+        <translation>%1: máximo %2 1/sr, vista %3°</translation>
+    </message>
+    <message>
+        <source>, specular part %1</source>
+        <translation>, parte especular %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::MainWindow</name>
+    <message>
+        <source>Open a scene or a model, or drop one here</source>
+        <translation>Abra una escena o un modelo, o suelte uno aquí</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Escena</translation>
+    </message>
+    <message>
+        <source>Scene outliner: objects, lights and definitions</source>
+        <translation>Árbol de la escena: objetos, luces y definiciones</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Luces</translation>
+    </message>
+    <message>
+        <source>Area lights, mesh lights and emissive faces of the scene</source>
+        <translation>Luces de área, mallas emisoras y caras emisoras de la escena</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objeto</translation>
+    </message>
+    <message>
+        <source>Position, rotation and scale of the selected object</source>
+        <translation>Posición, rotación y escala del objeto seleccionado</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Cámaras</translation>
+    </message>
+    <message>
+        <source>Cameras of the scene: position, lens and focus</source>
+        <translation>Cámaras de la escena: posición, objetivo y enfoque</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>Surface of the selected faces: BRDF, colour, texture, emission, normals</source>
+        <translation>Superficie de las caras seleccionadas: BRDF, color, textura, emisión, normales</translation>
+    </message>
+    <message>
+        <source>BRDF</source>
+        <translation>BRDF</translation>
+    </message>
+    <message>
+        <source>BRDF of the selected faces: parameters such as roughness, lobe, plots and sphere</source>
+        <translation>BRDF de las caras seleccionadas: parámetros como la rugosidad, lóbulo, gráficas y esfera</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>Render</translation>
+    </message>
+    <message>
+        <source>Previews and renders of the scene</source>
+        <translation>Vistas previas y renders de la escena</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Mensajes</translation>
+    </message>
+    <message>
+        <source>Errors and warnings about the scene and its file</source>
+        <translation>Errores y avisos sobre la escena y su archivo</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Trabajos</translation>
+    </message>
+    <message>
+        <source>Running and queued jobs, such as imports and renders</source>
+        <translation>Trabajos en marcha y en cola, como importaciones y renders</translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation>Abierto</translation>
+    </message>
+    <message>
+        <source>Undo steps</source>
+        <translation>Pasos de deshacer</translation>
+    </message>
+    <message>
+        <source>All undo steps; a click goes back or forth to a step</source>
+        <translation>Todos los pasos de deshacer; un clic va atrás o adelante hasta un paso</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historial</translation>
+    </message>
+    <message>
+        <source>The undo steps, to go back to any of them</source>
+        <translation>Los pasos de deshacer, para volver a cualquiera de ellos</translation>
+    </message>
+    <message>
+        <source>Jobs (%1)</source>
+        <translation>Trabajos (%1)</translation>
+    </message>
+    <message>
+        <source>Click where the object shall stand, or press Escape to cancel</source>
+        <translation>Haga clic donde deba estar el objeto, o pulse Escape para cancelar</translation>
+    </message>
+    <message>
+        <source>The scene has no lights. Until it has one, renders use a grey sky.</source>
+        <translation>La escena no tiene luces. Hasta que tenga una, los renders usan un cielo gris.</translation>
+    </message>
+    <message>
+        <source>Add a light</source>
+        <translation>Añadir una luz</translation>
+    </message>
+    <message>
+        <source>Add an area light above the scene</source>
+        <translation>Añade una luz de área sobre la escena</translation>
+    </message>
+    <message>
+        <source>Add a studio</source>
+        <translation>Añadir un estudio</translation>
+    </message>
+    <message>
+        <source>Add a floor, a soft box and a rim light in proportion to the scene</source>
+        <translation>Añade un suelo, una ventana de luz y una luz de contorno en proporción a la escena</translation>
+    </message>
+    <message>
+        <source>Click the face to copy the surface from, or press Escape to cancel</source>
+        <translation>Haga clic en la cara de la que copiar la superficie, o pulse Escape para cancelar</translation>
+    </message>
+    <message>
+        <source>Click what the camera shall focus on, or press Escape to cancel</source>
+        <translation>Haga clic en lo que la cámara deba enfocar, o pulse Escape para cancelar</translation>
+    </message>
+    <message>
+        <source>Messages (%1)</source>
+        <translation>Mensajes (%1)</translation>
+    </message>
+    <message>
+        <source>Click what the light shall shine on, or press Escape to cancel</source>
+        <translation>Haga clic en lo que la luz deba iluminar, o pulse Escape para cancelar</translation>
+    </message>
+    <message>
+        <source>Aim light</source>
+        <translation>Apuntar la luz</translation>
+    </message>
+    <message>
+        <source>Light highlight</source>
+        <translation>Iluminar un reflejo</translation>
+    </message>
+    <message>
+        <source>Click or drag where the light&apos;s reflection shall be, or press Escape to cancel</source>
+        <translation>Haga clic o arrastre donde deba estar el reflejo de la luz, o pulse Escape para cancelar</translation>
+    </message>
+    <message>
+        <source>%1 differs from the current render settings. Saving the scene writes it, too.</source>
+        <translation>%1 difiere de los ajustes de render actuales. Al guardar la escena también se escribe.</translation>
+    </message>
+    <message>
+        <source>Write now</source>
+        <translation>Escribir ahora</translation>
+    </message>
+    <message>
+        <source>Write the current render settings to the file; its comments are kept</source>
+        <translation>Escribe los ajustes de render actuales en el archivo; sus comentarios se conservan</translation>
+    </message>
+    <message>
+        <source>The model has no lights, so a studio was added to the scene: a floor, a soft box and a rim light.</source>
+        <translation>El modelo no tiene luces, así que se ha añadido un estudio a la escena: un suelo, una ventana de luz y una luz de contorno.</translation>
+    </message>
+    <message>
+        <source>Without the studio</source>
+        <translation>Sin el estudio</translation>
+    </message>
+    <message>
+        <source>Remove the studio, and render under a grey sky</source>
+        <translation>Quita el estudio y renderiza bajo un cielo gris</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1.</source>
+        <translation>Otro programa ha cambiado %1.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recargar</translation>
+    </message>
+    <message>
+        <source>Reload the scene; asks first if there are unsaved changes</source>
+        <translation>Recarga la escena; antes pregunta si hay cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Compare the scene with its file, line by line</source>
+        <translation>Compara la escena con su archivo, línea por línea</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Conservar la mía</translation>
+    </message>
+    <message>
+        <source>Keep the scene as it is here; saving overwrites the file</source>
+        <translation>Conserva la escena como está aquí; guardar sobrescribe el archivo</translation>
+    </message>
+    <message>
+        <source>%1[*] - wannabe</source>
+        <translation>%1[*] - wannabe</translation>
+    </message>
+    <message>
+        <source>List all errors and warnings, each with its line</source>
+        <translation>Enumera todos los errores y avisos, cada uno con su línea</translation>
+    </message>
+    <message>
+        <source>Tabbed docks</source>
+        <translation>Paneles en pestañas</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>A render is running.</source>
+        <translation>Hay un render en marcha.</translation>
+    </message>
+    <message>
+        <source>Irradiance is being baked.</source>
+        <translation>Se está precalculando la irradiancia.</translation>
+    </message>
+    <message>
+        <source>Closing stops it and keeps the image so far.</source>
+        <translation>Cerrar lo detiene y conserva la imagen hasta ahora.</translation>
+    </message>
+    <message>
+        <source>Closing cancels it.</source>
+        <translation>Cerrar lo cancela.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n other job(s) are cancelled.</source>
+        <translation>
+            <numerusform>Se cancela %n trabajo más.</numerusform>
+            <numerusform>Se cancelan otros %n trabajos.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>&amp;Selección</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>Ob&amp;ject</source>
+        <translation>Ob&amp;jeto</translation>
+    </message>
+    <message>
+        <source>&amp;Render</source>
+        <translation>&amp;Render</translation>
+    </message>
+    <message>
+        <source>&amp;Image</source>
+        <translation>&amp;Imagen</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Cierra la ventana</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Edición</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>Undo the last change</source>
+        <translation>Deshace el último cambio</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>Redo the last undone change</source>
+        <translation>Rehace el último cambio deshecho</translation>
+    </message>
+    <message>
+        <source>&amp;Find action</source>
+        <translation>&amp;Buscar una acción</translation>
+    </message>
+    <message>
+        <source>Search all actions by name, and run one</source>
+        <translation>Busca en todas las acciones por su nombre y ejecuta una</translation>
+    </message>
+    <message>
+        <source>S&amp;cene</source>
+        <translation>Es&amp;cena</translation>
+    </message>
+    <message>
+        <source>Add a &amp;light</source>
+        <translation>Añadir una &amp;luz</translation>
+    </message>
+    <message>
+        <source>Add a square area light above the scene, facing down</source>
+        <translation>Añade una luz de área cuadrada sobre la escena, hacia abajo</translation>
+    </message>
+    <message>
+        <source>Add an &amp;observer</source>
+        <translation>Añadir un &amp;observador</translation>
+    </message>
+    <message>
+        <source>Add an observer at the viewpoint of the 3D view</source>
+        <translation>Añade un observador en el punto de vista de la vista 3D</translation>
+    </message>
+    <message>
+        <source>&amp;Bake irradiance</source>
+        <translation>P&amp;recalcular la irradiancia</translation>
+    </message>
+    <message>
+        <source>Bake the irradiance at all vertices and store it in the scene</source>
+        <translation>Precalcula la irradiancia en todos los vértices y la guarda en la escena</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>Ven&amp;tana</translation>
+    </message>
+    <message>
+        <source>&amp;Images</source>
+        <translation>&amp;Imágenes</translation>
+    </message>
+    <message>
+        <source>Show the image view</source>
+        <translation>Muestra la vista de imágenes</translation>
+    </message>
+    <message>
+        <source>3D &amp;view</source>
+        <translation>&amp;Vista 3D</translation>
+    </message>
+    <message>
+        <source>Go to the 3D view</source>
+        <translation>Va a la vista 3D</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>&amp;Restablecer la disposición</translation>
+    </message>
+    <message>
+        <source>Restore the default layout of the docks</source>
+        <translation>Restablece la disposición por defecto de los paneles</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Herramientas</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Atajos de teclado</translation>
+    </message>
+    <message>
+        <source>List and search all shortcuts</source>
+        <translation>Enumera todos los atajos y busca en ellos</translation>
+    </message>
+    <message>
+        <source>&amp;About wannabe</source>
+        <translation>A&amp;cerca de wannabe</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Versión y licencia</translation>
+    </message>
+    <message>
+        <source>wannabe %1, the scene editor of Granada. Apache-2.0.</source>
+        <translation>wannabe %1, el editor de escenas de Granada. Apache-2.0.</translation>
+    </message>
+    <message>
+        <source>Language, theme, units, shortcuts, undo, threads, autosave</source>
+        <translation>Idioma, tema, unidades, atajos, deshacer, hilos, autoguardado</translation>
+    </message>
+    <message>
+        <source>Pr&amp;eferences</source>
+        <translation>Pre&amp;ferencias</translation>
+    </message>
+</context>
+<context>
+    <name>editor::MaterialActions</name>
+    <message>
+        <source>&amp;Copy material</source>
+        <translation>&amp;Copiar el material</translation>
+    </message>
+    <message>
+        <source>Copy the surface of the first selected face to the clipboard, as GRF text</source>
+        <translation>Copia la superficie de la primera cara seleccionada al portapapeles, como texto GRF</translation>
+    </message>
+    <message>
+        <source>&amp;Paste material</source>
+        <translation>&amp;Pegar el material</translation>
+    </message>
+    <message>
+        <source>Give the selected faces the material on the clipboard</source>
+        <translation>Da a las caras seleccionadas el material del portapapeles</translation>
+    </message>
+    <message>
+        <source>The material is on the clipboard</source>
+        <translation>El material está en el portapapeles</translation>
+    </message>
+    <message>
+        <source>The clipboard has no material. %1</source>
+        <translation>No hay ningún material en el portapapeles. %1</translation>
+    </message>
+    <message>
+        <source>Paste material</source>
+        <translation>Pegar el material</translation>
+    </message>
+</context>
+<context>
+    <name>editor::MeshActions</name>
+    <message>
+        <source>of the selected faces, or of all if none is selected. Faces keep their BRDFs and colours</source>
+        <translation>de las caras seleccionadas, o todas si no hay ninguna seleccionada. Las caras conservan sus BRDF y colores</translation>
+    </message>
+    <message>
+        <source>&amp;Delete faces</source>
+        <translation>&amp;Eliminar las caras</translation>
+    </message>
+    <message>
+        <source>Delete the selected faces, and meshes that have no faces left</source>
+        <translation>Elimina las caras seleccionadas, y las mallas que quedan sin caras</translation>
+    </message>
+    <message>
+        <source>Subdivide (&amp;Catmull-Clark)</source>
+        <translation>Subdividir (C&amp;atmull-Clark)</translation>
+    </message>
+    <message>
+        <source>Subdivide the meshes %1; a face with n corners becomes n quads</source>
+        <translation>Subdivide las mallas %1; una cara con n esquinas pasa a ser n cuadriláteros</translation>
+    </message>
+    <message>
+        <source>Subdivide (L&amp;oop)</source>
+        <translation>Su&amp;bdividir (Loop)</translation>
+    </message>
+    <message>
+        <source>Subdivide the meshes %1; they are triangulated, and each triangle becomes four</source>
+        <translation>Subdivide las mallas %1; se triangulan, y cada triángulo pasa a ser cuatro</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth vertices</source>
+        <translation>&amp;Suavizar los vértices</translation>
+    </message>
+    <message>
+        <source>Smooth noise and small features of the meshes %1</source>
+        <translation>Suaviza el ruido y los detalles pequeños de las mallas %1</translation>
+    </message>
+    <message>
+        <source>The scene has no mesh</source>
+        <translation>La escena no tiene ninguna malla</translation>
+    </message>
+    <message>
+        <source>Cannot subdivide: the meshes would have %1 faces, too many for the editor. Subdivide the file with grfconvert --subdivide</source>
+        <translation>No se puede subdividir: las mallas tendrían %1 caras, demasiadas para el editor. Subdivida el archivo con grfconvert --subdivide</translation>
+    </message>
+    <message>
+        <source>Subdivide</source>
+        <translation>Subdividir</translation>
+    </message>
+    <message>
+        <source>Subdivided meshes lost their irradiance: bake it again</source>
+        <translation>Las mallas subdivididas han perdido su irradiancia: precalcúlela de nuevo</translation>
+    </message>
+    <message>
+        <source>Smooth vertices</source>
+        <translation>Suavizar los vértices</translation>
+    </message>
+    <message>
+        <source>No face is selected</source>
+        <translation>No hay ninguna cara seleccionada</translation>
+    </message>
+    <message>
+        <source>Delete faces</source>
+        <translation>Eliminar caras</translation>
+    </message>
+    <message>
+        <source>Cancel: the meshes stay as they are</source>
+        <translation>Cancela: las mallas quedan como están</translation>
+    </message>
+    <message>
+        <source>%1: meshes that were edited meanwhile were left unchanged</source>
+        <translation>%1: las mallas que se editaron entretanto no se han cambiado</translation>
+    </message>
+</context>
+<context>
+    <name>editor::MessageModel</name>
+    <message>
+        <source>%1
+Double-click to go to the line and select its faces</source>
+        <translation>%1
+Doble clic para ir a la línea y seleccionar sus caras</translation>
+    </message>
+</context>
+<context>
+    <name>editor::MessagePanel</name>
+    <message>
+        <source>Messages</source>
+        <translation>Mensajes</translation>
+    </message>
+    <message>
+        <source>Messages about the scene</source>
+        <translation>Mensajes sobre la escena</translation>
+    </message>
+    <message>
+        <source>The scene has no errors or warnings.
+
+Problems are listed here while you edit.</source>
+        <translation>La escena no tiene errores ni avisos.
+
+Los problemas aparecen aquí mientras edita.</translation>
+    </message>
+    <message>
+        <source>1 error</source>
+        <translation>1 error</translation>
+    </message>
+    <message>
+        <source>%1 errors</source>
+        <translation>%1 errores</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 aviso</translation>
+    </message>
+    <message>
+        <source>%1 warnings</source>
+        <translation>%1 avisos</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ModelImport</name>
+    <message>
+        <source>%1: the converted file could not be read</source>
+        <translation>%1: no se pudo leer el archivo convertido</translation>
+    </message>
+    <message>
+        <source>cannot find the program grfconvert</source>
+        <translation>no se encuentra el programa grfconvert</translation>
+    </message>
+    <message>
+        <source>cannot create a folder in %1</source>
+        <translation>no se puede crear una carpeta en %1</translation>
+    </message>
+    <message>
+        <source>cannot start grfconvert: %1</source>
+        <translation>no se puede iniciar grfconvert: %1</translation>
+    </message>
+    <message>
+        <source>%1: grfconvert crashed</source>
+        <translation>%1: grfconvert falló</translation>
+    </message>
+    <message>
+        <source>cannot read %1</source>
+        <translation>no se puede leer %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::NormalsRow</name>
+    <message>
+        <source>Crease angle</source>
+        <translation>Ángulo de arista</translation>
+    </message>
+    <message>
+        <source>Edges stay sharp where the angle between their faces is larger</source>
+        <translation>Las aristas quedan vivas donde el ángulo entre sus caras es mayor</translation>
+    </message>
+    <message>
+        <source>Smooth normals</source>
+        <translation>Normales suaves</translation>
+    </message>
+    <message>
+        <source>Smooth shading: vertex normals, averaged across edges up to the crease angle</source>
+        <translation>Sombreado suave: normales de los vértices, promediadas en las aristas hasta el ángulo de arista</translation>
+    </message>
+    <message>
+        <source>Flat faces</source>
+        <translation>Caras planas</translation>
+    </message>
+    <message>
+        <source>Flat shading: remove the vertex normals</source>
+        <translation>Sombreado plano: quita las normales de los vértices</translation>
+    </message>
+    <message>
+        <source>Flip the faces</source>
+        <translation>Invertir las caras</translation>
+    </message>
+    <message>
+        <source>Flip faces: reverse their orientation and their normals</source>
+        <translation>Invertir las caras: cambia el sentido de su orientación y de sus normales</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>suaves</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>planas</translation>
+    </message>
+    <message>
+        <source>The faces have vertex normals</source>
+        <translation>Las caras tienen normales en los vértices</translation>
+    </message>
+    <message>
+        <source>The faces have no vertex normals</source>
+        <translation>Las caras no tienen normales en los vértices</translation>
+    </message>
+    <message>
+        <source>Flip faces</source>
+        <translation>Invertir las caras</translation>
+    </message>
+</context>
+<context>
+    <name>editor::NoticeBar</name>
+    <message>
+        <source>Notice</source>
+        <translation>Aviso</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Close this notice</source>
+        <translation>Cerrar este aviso</translation>
+    </message>
+</context>
+<context>
+    <name>editor::NumberBox</name>
+    <message>
+        <source>Use a point as the decimal separator, as in 0.5.</source>
+        <translation>Use un punto como separador decimal, como en 0.5.</translation>
+    </message>
+    <message>
+        <source>Type a number.</source>
+        <translation>Escriba un número.</translation>
+    </message>
+    <message>
+        <source>The value must be a finite number.</source>
+        <translation>El valor debe ser un número finito.</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>cualquiera</translation>
+    </message>
+    <message>
+        <source>Range: %1 to %2</source>
+        <translation>Rango: de %1 a %2</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>varios</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ObjectActions</name>
+    <message>
+        <source>Add a &amp;plane</source>
+        <translation>Añadir un &amp;plano</translation>
+    </message>
+    <message>
+        <source>Add a square that faces up, on the floor at the orbit centre</source>
+        <translation>Añade un cuadrado hacia arriba, sobre el suelo en el centro de la órbita</translation>
+    </message>
+    <message>
+        <source>Add a &amp;box</source>
+        <translation>Añadir una &amp;caja</translation>
+    </message>
+    <message>
+        <source>Add a cube on the floor at the orbit centre</source>
+        <translation>Añade un cubo sobre el suelo en el centro de la órbita</translation>
+    </message>
+    <message>
+        <source>Add a &amp;sphere</source>
+        <translation>Añadir una &amp;esfera</translation>
+    </message>
+    <message>
+        <source>Add a sphere on the floor at the orbit centre</source>
+        <translation>Añade una esfera sobre el suelo en el centro de la órbita</translation>
+    </message>
+    <message>
+        <source>Add a &amp;cylinder</source>
+        <translation>Añadir un c&amp;ilindro</translation>
+    </message>
+    <message>
+        <source>Add a closed cylinder on the floor at the orbit centre</source>
+        <translation>Añade un cilindro cerrado sobre el suelo en el centro de la órbita</translation>
+    </message>
+    <message>
+        <source>Add a &amp;disc</source>
+        <translation>Añadir un &amp;disco</translation>
+    </message>
+    <message>
+        <source>Add a disc that faces up, on the floor at the orbit centre</source>
+        <translation>Añade un disco hacia arriba, sobre el suelo en el centro de la órbita</translation>
+    </message>
+    <message>
+        <source>Add a &amp;torus</source>
+        <translation>Añadir un &amp;toro</translation>
+    </message>
+    <message>
+        <source>Add a torus on the floor at the orbit centre</source>
+        <translation>Añade un toro sobre el suelo en el centro de la órbita</translation>
+    </message>
+    <message>
+        <source>Add a st&amp;udio</source>
+        <translation>Añadir un est&amp;udio</translation>
+    </message>
+    <message>
+        <source>Add a floor, a soft box and a rim light in proportion to the scene</source>
+        <translation>Añade un suelo, una ventana de luz y una luz de contorno en proporción a la escena</translation>
+    </message>
+    <message>
+        <source>Add studio</source>
+        <translation>Añadir un estudio</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Añadir: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Move gizmo</source>
+        <translation>Manipulador para &amp;mover</translation>
+    </message>
+    <message>
+        <source>Show arrows that move the selected objects along axes and in planes</source>
+        <translation>Muestra flechas que mueven los objetos seleccionados según los ejes y en planos</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate gizmo</source>
+        <translation>Manipulador para &amp;rotar</translation>
+    </message>
+    <message>
+        <source>Show rings that rotate the selected objects</source>
+        <translation>Muestra anillos que rotan los objetos seleccionados</translation>
+    </message>
+    <message>
+        <source>&amp;Scale gizmo</source>
+        <translation>Manipulador para &amp;escalar</translation>
+    </message>
+    <message>
+        <source>Show handles that scale the selected objects</source>
+        <translation>Muestra tiradores que escalan los objetos seleccionados</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>Mo&amp;ver</translation>
+    </message>
+    <message>
+        <source>Move the selected objects with the pointer; X, Y, Z choose an axis, digits the distance</source>
+        <translation>Mueve los objetos seleccionados con el puntero; X, Y, Z eligen un eje, las cifras la distancia</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>R&amp;otar</translation>
+    </message>
+    <message>
+        <source>Rotate the selected objects with the pointer; X, Y, Z choose an axis, digits the degrees</source>
+        <translation>Rota los objetos seleccionados con el puntero; X, Y, Z eligen un eje, las cifras los grados</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>Es&amp;calar</translation>
+    </message>
+    <message>
+        <source>Scale the selected objects with the pointer; X, Y, Z choose an axis, digits the factor</source>
+        <translation>Escala los objetos seleccionados con el puntero; X, Y, Z eligen un eje, las cifras el factor</translation>
+    </message>
+    <message>
+        <source>&amp;Centre</source>
+        <translation>&amp;Centro</translation>
+    </message>
+    <message>
+        <source>Rotate and scale about the centre of the selected objects</source>
+        <translation>Rota y escala alrededor del centro de los objetos seleccionados</translation>
+    </message>
+    <message>
+        <source>&amp;Origin</source>
+        <translation>&amp;Origen</translation>
+    </message>
+    <message>
+        <source>Rotate and scale about the origins of the selected objects&apos; transforms</source>
+        <translation>Rota y escala alrededor de los orígenes de las transformaciones de los objetos seleccionados</translation>
+    </message>
+    <message>
+        <source>&amp;Active object</source>
+        <translation>Objeto &amp;activo</translation>
+    </message>
+    <message>
+        <source>Rotate and scale about the origin of the last object</source>
+        <translation>Rota y escala alrededor del origen del último objeto</translation>
+    </message>
+    <message>
+        <source>&amp;World origin</source>
+        <translation>Origen de la &amp;escena</translation>
+    </message>
+    <message>
+        <source>Rotate and scale about the origin of the world</source>
+        <translation>Rota y escala alrededor del origen de la escena</translation>
+    </message>
+    <message>
+        <source>&amp;Local axes</source>
+        <translation>Ejes &amp;locales</translation>
+    </message>
+    <message>
+        <source>Move, rotate and scale along the axes of the object instead of the world</source>
+        <translation>Mueve, rota y escala según los ejes del objeto en vez de los de la escena</translation>
+    </message>
+    <message>
+        <source>S&amp;nap</source>
+        <translation>Ajus&amp;te</translation>
+    </message>
+    <message>
+        <source>Snap to the grid, to 5° and to factors of 0.1; Ctrl inverts it</source>
+        <translation>Ajusta a la cuadrícula, a 5° y a factores de 0.1; Ctrl lo invierte</translation>
+    </message>
+    <message>
+        <source>&amp;Drop to floor</source>
+        <translation>&amp;Posar en el suelo</translation>
+    </message>
+    <message>
+        <source>Move the selected objects vertically so that they stand on the floor, y = 0</source>
+        <translation>Mueve los objetos seleccionados en vertical hasta que estén sobre el suelo, y = 0</translation>
+    </message>
+    <message>
+        <source>R&amp;eset transform</source>
+        <translation>Resta&amp;blecer la transformación</translation>
+    </message>
+    <message>
+        <source>Remove position, rotation and scale of the selected objects</source>
+        <translation>Quita la posición, la rotación y la escala de los objetos seleccionados</translation>
+    </message>
+    <message>
+        <source>Apply trans&amp;form</source>
+        <translation>Aplicar la trans&amp;formación</translation>
+    </message>
+    <message>
+        <source>Apply position, rotation and scale of the selected objects to their vertices</source>
+        <translation>Aplica la posición, la rotación y la escala de los objetos seleccionados a sus vértices</translation>
+    </message>
+    <message>
+        <source>Place on a s&amp;urface…</source>
+        <translation>Colocar en una &amp;superficie…</translation>
+    </message>
+    <message>
+        <source>Click the point of a surface on which the selected objects shall stand</source>
+        <translation>Haga clic en el punto de una superficie sobre el que deban estar los objetos seleccionados</translation>
+    </message>
+    <message>
+        <source>Place along a norma&amp;l…</source>
+        <translation>Colocar según una &amp;normal…</translation>
+    </message>
+    <message>
+        <source>Click the point of a surface on which the selected objects shall stand, along its normal</source>
+        <translation>Haga clic en el punto de una superficie sobre el que deban estar los objetos seleccionados, según su normal</translation>
+    </message>
+    <message>
+        <source>Along &amp;%1</source>
+        <translation>Según &amp;%1</translation>
+    </message>
+    <message>
+        <source>Mirror the selected objects along %1 at the pivot</source>
+        <translation>Refleja los objetos seleccionados según %1 en el pivote</translation>
+    </message>
+    <message>
+        <source>Align %1 %2</source>
+        <translation>Alinear %1, %2</translation>
+    </message>
+    <message>
+        <source>Move the selected objects along %1 to the %2 of the last one</source>
+        <translation>Mueve los objetos seleccionados según %1 hasta el %2 del último</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>mínimo</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>centro</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>máximo</translation>
+    </message>
+    <message>
+        <source>Distribute along %1</source>
+        <translation>Distribuir según %1</translation>
+    </message>
+    <message>
+        <source>Space the centres of the selected objects evenly along %1</source>
+        <translation>Reparte los centros de los objetos seleccionados por igual según %1</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Rotar</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escala</translation>
+    </message>
+    <message>
+        <source>Place on surface</source>
+        <translation>Colocar en una superficie</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Reflejar</translation>
+    </message>
+    <message>
+        <source>&amp;Pivot</source>
+        <translation>P&amp;ivote</translation>
+    </message>
+    <message>
+        <source>M&amp;irror</source>
+        <translation>Refle&amp;jar</translation>
+    </message>
+    <message>
+        <source>&amp;Align and distribute</source>
+        <translation>&amp;Alinear y distribuir</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ObjectPanel</name>
+    <message>
+        <source>Object</source>
+        <translation>Objeto</translation>
+    </message>
+    <message>
+        <source>Select an object to place it: click it in the 3D view, or in the scene outliner.</source>
+        <translation>Seleccione un objeto para colocarlo: haga clic en él en la vista 3D, o en el árbol de la escena.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotación</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Escala</translation>
+    </message>
+    <message>
+        <source>translation relative to the parent, after rotation and scale</source>
+        <translation>traslación respecto al padre, después de la rotación y la escala</translation>
+    </message>
+    <message>
+        <source>rotation about the axis; about x first, then y, then z</source>
+        <translation>rotación alrededor del eje; primero de x, después de y, después de z</translation>
+    </message>
+    <message>
+        <source>scale factor, applied first; not 0</source>
+        <translation>factor de escala, que se aplica primero; no 0</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Size of the object&apos;s bounds in world space, along x, y and z</source>
+        <translation>Tamaño de los límites del objeto en el espacio de la escena, según x, y y z</translation>
+    </message>
+    <message>
+        <source>Included file %1</source>
+        <translation>Archivo incluido %1</translation>
+    </message>
+    <message>
+        <source>Mesh without a name</source>
+        <translation>Malla sin nombre</translation>
+    </message>
+    <message>
+        <source>Light or observer</source>
+        <translation>Luz u observador</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, active of %n selected objects</source>
+        <translation>
+            <numerusform>%1, activo de %n objeto seleccionado</numerusform>
+            <numerusform>%1, activo de %n objetos seleccionados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The transform shears the object, so that rotation and scale cannot be edited as numbers. Reset the transform to edit them.</source>
+        <translation>La transformación cizalla el objeto, así que la rotación y la escala no se pueden editar como números. Restablezca la transformación para editarlas.</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Mover</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Rotar</translation>
+    </message>
+</context>
+<context>
+    <name>editor::OpDocument</name>
+    <message>
+        <source>Open options</source>
+        <translation>Abrir opciones</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Cambiar %1</translation>
+    </message>
+    <message>
+        <source>Edit the text</source>
+        <translation>Editar el texto</translation>
+    </message>
+</context>
+<context>
+    <name>editor::OpTextView</name>
+    <message>
+        <source>Text of the OP file</source>
+        <translation>Texto del archivo OP</translation>
+    </message>
+    <message>
+        <source>Text of the OP file as it will be written. Edits here update the form.</source>
+        <translation>Texto del archivo OP como se escribirá. Lo que se edita aquí cambia el formulario.</translation>
+    </message>
+    <message>
+        <source>Set options on the left, or type them here, one per line:
+BPT_Scene  scene.grf</source>
+        <translation>Dé valores a las opciones a la izquierda, o escríbalas aquí, una por línea:
+BPT_Scene  scene.grf</translation>
+    </message>
+</context>
+<context>
+    <name>editor::OptionField</name>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Activado</translation>
+    </message>
+</context>
+<context>
+    <name>editor::OptionRow</name>
+    <message>
+        <source>%1. Default: %2; %3.</source>
+        <translation>%1. Por defecto: %2; %3.</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>Restablecer %1</translation>
+    </message>
+    <message>
+        <source>Reset to the default: remove the line from the file.</source>
+        <translation>Restablece el valor por defecto: quita la línea del archivo.</translation>
+    </message>
+    <message>
+        <source>Already at its default: the file does not set it.</source>
+        <translation>Ya tiene el valor por defecto: el archivo no lo fija.</translation>
+    </message>
+    <message>
+        <source>No effect: %1.</source>
+        <translation>Sin efecto: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::OptionsEditor</name>
+    <message>
+        <source>Open options</source>
+        <translation>Abrir opciones</translation>
+    </message>
+    <message>
+        <source>Open an OP file.</source>
+        <translation>Abre un archivo OP.</translation>
+    </message>
+    <message>
+        <source>Save options</source>
+        <translation>Guardar las opciones</translation>
+    </message>
+    <message>
+        <source>Save the OP file; comments are kept.</source>
+        <translation>Guarda el archivo OP; los comentarios se conservan.</translation>
+    </message>
+    <message>
+        <source>Save options as</source>
+        <translation>Guardar las opciones como</translation>
+    </message>
+    <message>
+        <source>Save the OP file under another name.</source>
+        <translation>Guarda el archivo OP con otro nombre.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the options</source>
+        <translation>Deshace el último cambio de las opciones</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rehacer</translation>
+    </message>
+    <message>
+        <source>Redo the last undone change of the options</source>
+        <translation>Rehace el último cambio deshecho de las opciones</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Mensajes</translation>
+    </message>
+    <message>
+        <source>Errors and warnings of bpt about these options. Select one to go to its option or line.</source>
+        <translation>Errores y avisos de bpt sobre estas opciones. Seleccione uno para ir a su opción o línea.</translation>
+    </message>
+    <message>
+        <source>These options have no errors or warnings.</source>
+        <translation>Estas opciones no tienen errores ni avisos.</translation>
+    </message>
+    <message>
+        <source>Line %1: </source>
+        <translation>Línea %1: </translation>
+    </message>
+    <message>
+        <source>Error. </source>
+        <translation>Error. </translation>
+    </message>
+    <message>
+        <source>Warning. </source>
+        <translation>Aviso. </translation>
+    </message>
+</context>
+<context>
+    <name>editor::OptionsForm</name>
+    <message>
+        <source>No option matches the search.</source>
+        <translation>Ninguna opción coincide con la búsqueda.</translation>
+    </message>
+    <message>
+        <source>Search options</source>
+        <translation>Buscar opciones</translation>
+    </message>
+    <message>
+        <source>Show only options with these words in their names, meanings or defaults.</source>
+        <translation>Muestra solo las opciones con estas palabras en su nombre, significado o valor por defecto.</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>Opciones</translation>
+    </message>
+</context>
+<context>
+    <name>editor::OptionsWindow</name>
+    <message>
+        <source>%1[*] - options - wannabe</source>
+        <translation>%1[*] - opciones - wannabe</translation>
+    </message>
+    <message>
+        <source>untitled.op</source>
+        <translation>sin_titulo.op</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Cerrar</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Cierra esta ventana</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Edición</translation>
+    </message>
+    <message>
+        <source>&amp;Search options</source>
+        <translation>&amp;Buscar opciones</translation>
+    </message>
+    <message>
+        <source>Find options by name or meaning</source>
+        <translation>Busca opciones por su nombre o significado</translation>
+    </message>
+    <message>
+        <source>Unsaved options</source>
+        <translation>Opciones sin guardar</translation>
+    </message>
+    <message>
+        <source>The options have unsaved changes.</source>
+        <translation>Las opciones tienen cambios sin guardar.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::Pages</name>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+    <message>
+        <source>Pages: the scene, images, and the source text of files</source>
+        <translation>Páginas: la escena, las imágenes y el texto de los archivos</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Escena</translation>
+    </message>
+    <message>
+        <source>3D view of the scene</source>
+        <translation>Vista 3D de la escena</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Texto</translation>
+    </message>
+    <message>
+        <source>Source text of the file that a message refers to</source>
+        <translation>Texto del archivo al que se refiere un mensaje</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Comparar</translation>
+    </message>
+    <message>
+        <source>Differences between the scene and its file</source>
+        <translation>Diferencias entre la escena y su archivo</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ParameterRow</name>
+    <message>
+        <source>One number for all channels, or one for each of red, green and blue (linear)</source>
+        <translation>Un número para todos los canales, o uno para rojo, verde y azul (lineal)</translation>
+    </message>
+    <message>
+        <source>Choose a colour: the numbers are its linear red, green and blue</source>
+        <translation>Elige un color: los números son su rojo, verde y azul lineales</translation>
+    </message>
+    <message>
+        <source>mixed</source>
+        <translation>varios</translation>
+    </message>
+    <message>
+        <source>Reset to the default</source>
+        <translation>Restablece el valor por defecto</translation>
+    </message>
+    <message>
+        <source>Already at its default</source>
+        <translation>Ya tiene el valor por defecto</translation>
+    </message>
+    <message>
+        <source>%1 as RGB</source>
+        <translation>%1 como RGB</translation>
+    </message>
+    <message>
+        <source>%1, colour</source>
+        <translation>%1, color</translation>
+    </message>
+    <message>
+        <source>%1, reset to default</source>
+        <translation>%1, restablecer el valor por defecto</translation>
+    </message>
+</context>
+<context>
+    <name>editor::PathField</name>
+    <message>
+        <source>Choose %1</source>
+        <translation>Elegir %1</translation>
+    </message>
+    <message>
+        <source>Choose the output file</source>
+        <translation>Elegir el archivo de salida</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Elegir el archivo</translation>
+    </message>
+    <message>
+        <source>Files (%1);;</source>
+        <translation>Archivos (%1);;</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Write to</source>
+        <translation>Escribir en</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Elegir un archivo</translation>
+    </message>
+</context>
+<context>
+    <name>editor::PdfRow</name>
+    <message>
+        <source>Sampling scheme</source>
+        <translation>Esquema de muestreo</translation>
+    </message>
+    <message>
+        <source>Reset the sampling scheme</source>
+        <translation>Restablecer el esquema de muestreo</translation>
+    </message>
+    <message>
+        <source>Reset PDF</source>
+        <translation>Restablecer la PDF</translation>
+    </message>
+    <message>
+        <source>How reflected directions are sampled; by default, with the BRDF&apos;s own scheme</source>
+        <translation>Cómo se muestrean las direcciones reflejadas; por defecto, con el esquema propio de la BRDF</translation>
+    </message>
+    <message>
+        <source>Reset to the default sampling scheme of each BRDF</source>
+        <translation>Restablece el esquema de muestreo por defecto de cada BRDF</translation>
+    </message>
+    <message>
+        <source>The faces have no sampling scheme of their own.</source>
+        <translation>Las caras no tienen esquema de muestreo propio.</translation>
+    </message>
+    <message>
+        <source>BRDF default</source>
+        <translation>El de la BRDF</translation>
+    </message>
+    <message>
+        <source>Each BRDF is sampled with its default scheme</source>
+        <translation>Cada BRDF se muestrea con su esquema por defecto</translation>
+    </message>
+    <message>
+        <source>The scheme &apos;%1&apos; of the scene</source>
+        <translation>El esquema &apos;%1&apos; de la escena</translation>
+    </message>
+    <message>
+        <source>%1 (unknown)</source>
+        <translation>%1 (desconocido)</translation>
+    </message>
+    <message>
+        <source>Unknown sampling scheme &apos;%1&apos;</source>
+        <translation>Esquema de muestreo &apos;%1&apos; desconocido</translation>
+    </message>
+    <message>
+        <source>Assign scheme %1</source>
+        <translation>Asignar el esquema %1</translation>
+    </message>
+    <message>
+        <source>Edit parameters of %1</source>
+        <translation>Editar los parámetros de %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Preferencias</translation>
+    </message>
+    <message>
+        <source>Pages of the preferences</source>
+        <translation>Páginas de las preferencias</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>&amp;General</translation>
+    </message>
+    <message>
+        <source>&amp;Work</source>
+        <translation>T&amp;rabajo</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>T&amp;eclas</translation>
+    </message>
+    <message>
+        <source>Close: all changes are applied already</source>
+        <translation>Cierra: todos los cambios ya están aplicados</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>Language of the texts, from the next start</source>
+        <translation>Idioma de los textos, desde el próximo inicio</translation>
+    </message>
+    <message>
+        <source>that of the system</source>
+        <translation>el del sistema</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Tema</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Colours of windows and views</source>
+        <translation>Colores de las ventanas y las vistas</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>oscuro</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>claro</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of length</source>
+        <translation>&amp;Unidad de longitud</translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation>Unidad de longitud</translation>
+    </message>
+    <message>
+        <source>Unit of lengths in the Object, Lights and Cameras docks; a unit of the file is a metre</source>
+        <translation>Unidad de las longitudes en los paneles Objeto, Luces y Cámaras; una unidad del archivo es un metro</translation>
+    </message>
+    <message>
+        <source>metre</source>
+        <translation>metro</translation>
+    </message>
+    <message>
+        <source>centimetre</source>
+        <translation>centímetro</translation>
+    </message>
+    <message>
+        <source>millimetre</source>
+        <translation>milímetro</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pulgada</translation>
+    </message>
+    <message>
+        <source>Up axis of imports</source>
+        <translation>Eje vertical al importar</translation>
+    </message>
+    <message>
+        <source>The axis that points up in models, unless the import dialog chose another one for the type</source>
+        <translation>El eje que apunta hacia arriba en los modelos, salvo que el diálogo de importación haya elegido otro para el tipo</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>U&amp;ndo steps</source>
+        <translation>Pasos de &amp;deshacer</translation>
+    </message>
+    <message>
+        <source>Undo steps</source>
+        <translation>Pasos de deshacer</translation>
+    </message>
+    <message>
+        <source>Largest number of undo steps, which take memory; 0: no limit. While a scene has undo steps, the limit applies from the next scene on.</source>
+        <translation>Número máximo de pasos de deshacer, que ocupan memoria; 0: sin límite. Mientras una escena tiene pasos de deshacer, el límite se aplica desde la siguiente escena.</translation>
+    </message>
+    <message>
+        <source>Th&amp;reads</source>
+        <translation>&amp;Hilos</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Hilos</translation>
+    </message>
+    <message>
+        <source>Threads of previews and renders whose options leave it open; 0: one per core.</source>
+        <translation>Hilos de las vistas previas y los renders cuyas opciones no los fijan; 0: uno por núcleo.</translation>
+    </message>
+    <message>
+        <source>&amp;Autosave after</source>
+        <translation>&amp;Autoguardar a los</translation>
+    </message>
+    <message>
+        <source>Autosave after</source>
+        <translation>Autoguardar a los</translation>
+    </message>
+    <message>
+        <source>Time from a change to the autosave of unsaved work.</source>
+        <translation>Tiempo desde un cambio hasta el autoguardado del trabajo sin guardar.</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Search actions</source>
+        <translation>Buscar acciones</translation>
+    </message>
+    <message>
+        <source>Show only actions whose name or keys have these words</source>
+        <translation>Muestra solo las acciones cuyo nombre o teclas contienen estas palabras</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Acciones</translation>
+    </message>
+    <message>
+        <source>Actions and their shortcuts; changed ones are bold</source>
+        <translation>Acciones y sus atajos; los cambiados están en negrita</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Acción</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
+    </message>
+    <message>
+        <source>New shortcut</source>
+        <translation>Atajo nuevo</translation>
+    </message>
+    <message>
+        <source>Press the new shortcut of the selected action</source>
+        <translation>Pulse el atajo nuevo de la acción seleccionada</translation>
+    </message>
+    <message>
+        <source>&amp;Default</source>
+        <translation>Por &amp;defecto</translation>
+    </message>
+    <message>
+        <source>Restore the default shortcut of the selected action</source>
+        <translation>Restablece el atajo por defecto de la acción seleccionada</translation>
+    </message>
+    <message>
+        <source>&amp;No shortcut</source>
+        <translation>&amp;Sin atajo</translation>
+    </message>
+    <message>
+        <source>Remove the shortcut of the selected action</source>
+        <translation>Quita el atajo de la acción seleccionada</translation>
+    </message>
+    <message>
+        <source>Reset a&amp;ll</source>
+        <translation>Restab&amp;lecer todos</translation>
+    </message>
+    <message>
+        <source>Restore the default shortcuts of all actions</source>
+        <translation>Restablece los atajos por defecto de todas las acciones</translation>
+    </message>
+    <message>
+        <source>%1 is the shortcut of &quot;%2&quot;: change that one first</source>
+        <translation>%1 es el atajo de &quot;%2&quot;: cambie antes ese</translation>
+    </message>
+    <message>
+        <source>U&amp;p axis of imports</source>
+        <translation>Eje &amp;vertical al importar</translation>
+    </message>
+</context>
+<context>
+    <name>editor::Recovery</name>
+    <message>
+        <source>Cannot write the folder %1.</source>
+        <translation>No se puede escribir en la carpeta %1.</translation>
+    </message>
+    <message>
+        <source>Cannot create the folder %1.</source>
+        <translation>No se puede crear la carpeta %1.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::RecoveryController</name>
+    <message>
+        <source>Autosave failed: %1</source>
+        <translation>El autoguardado falló: %1</translation>
+    </message>
+    <message>
+        <source>a scene that was never saved</source>
+        <translation>una escena que nunca se guardó</translation>
+    </message>
+    <message>
+        <source>The last session ended unexpectedly. Unsaved work on %1 was autosaved at %2.</source>
+        <translation>La última sesión terminó de forma inesperada. El trabajo sin guardar en %1 se autoguardó el %2.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Recuperar</translation>
+    </message>
+    <message>
+        <source>Open the autosaved scene</source>
+        <translation>Abre la escena autoguardada</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>Delete the autosaved scene; this cannot be undone</source>
+        <translation>Elimina la escena autoguardada; no se puede deshacer</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Recuperar el trabajo sin guardar</translation>
+    </message>
+    <message>
+        <source>Cancel: the work can be recovered later</source>
+        <translation>Cancela: el trabajo se puede recuperar más tarde</translation>
+    </message>
+    <message>
+        <source>Recovered: save the scene to keep it</source>
+        <translation>Recuperado: guarde la escena para conservarlo</translation>
+    </message>
+</context>
+<context>
+    <name>editor::RenderController</name>
+    <message>
+        <source>Camera &amp;follows the view</source>
+        <translation>Fi&amp;jar la cámara a la vista</translation>
+    </message>
+    <message>
+        <source>Lock the render camera to the 3D view</source>
+        <translation>Une la cámara de render a la vista 3D</translation>
+    </message>
+    <message>
+        <source>Align &amp;camera to view</source>
+        <translation>Traer la cámara a&amp;quí</translation>
+    </message>
+    <message>
+        <source>Move the render camera to the viewpoint of the 3D view</source>
+        <translation>Mueve la cámara de render al punto de vista de la vista 3D</translation>
+    </message>
+    <message>
+        <source>&amp;Look through the camera</source>
+        <translation>&amp;Mirar por la cámara</translation>
+    </message>
+    <message>
+        <source>View the scene through the render camera</source>
+        <translation>Muestra la escena desde la cámara de render</translation>
+    </message>
+    <message>
+        <source>Framing g&amp;uides</source>
+        <translation>&amp;Guías de encuadre</translation>
+    </message>
+    <message>
+        <source>Draw the border of the rendered image and its thirds over the 3D view</source>
+        <translation>Dibuja el borde de la imagen renderizada y sus tercios sobre la vista 3D</translation>
+    </message>
+    <message>
+        <source>Move the camera</source>
+        <translation>Mover la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>editor::RenderHistory</name>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 muestras</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>detenido</translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation>error %1</translation>
+    </message>
+    <message>
+        <source>Renders of this session</source>
+        <translation>Renders de esta sesión</translation>
+    </message>
+    <message>
+        <source>Renders of this session, with samples per pixel, time and estimated error. Click or press Return to open the image</source>
+        <translation>Renders de esta sesión, con muestras por píxel, tiempo y error estimado. Haga clic o pulse Intro para abrir la imagen</translation>
+    </message>
+    <message>
+        <source>Press F6 to render. Finished renders are listed here until the editor is closed.</source>
+        <translation>Pulse F6 para renderizar. Los renders terminados aparecen aquí hasta que se cierra el editor.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::RenderPanel</name>
+    <message>
+        <source>Ready</source>
+        <translation>Listo</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vista previa</translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation>Render</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Options…</source>
+        <translation>Opciones…</translation>
+    </message>
+    <message>
+        <source>All render options, with their meanings</source>
+        <translation>Todas las opciones de render, con su significado</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Progress of the render towards its samples, target error or time limit</source>
+        <translation>Progreso del render hacia sus muestras, su error objetivo o su límite de tiempo</translation>
+    </message>
+    <message>
+        <source>State of the render</source>
+        <translation>Estado del render</translation>
+    </message>
+    <message>
+        <source>Messages of the renderer appear here</source>
+        <translation>Los mensajes del programa de render aparecen aquí</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Log</translation>
+    </message>
+    <message>
+        <source>Messages of the renderer about the scene and its progress</source>
+        <translation>Mensajes del programa de render sobre la escena y su progreso</translation>
+    </message>
+    <message>
+        <source>Press F5 for a preview that follows your edits, F6 to render the final image</source>
+        <translation>Pulse F5 para una vista previa que sigue sus ediciones, F6 para renderizar la imagen final</translation>
+    </message>
+    <message>
+        <source>Change render options</source>
+        <translation>Cambiar las opciones de render</translation>
+    </message>
+    <message>
+        <source>Preview paused</source>
+        <translation>Vista previa en pausa</translation>
+    </message>
+    <message>
+        <source>Preview done</source>
+        <translation>Vista previa terminada</translation>
+    </message>
+    <message>
+        <source>Preview failed: see the log</source>
+        <translation>La vista previa falló: vea el registro</translation>
+    </message>
+    <message>
+        <source>Preview stopped</source>
+        <translation>Vista previa detenida</translation>
+    </message>
+    <message>
+        <source>Rendering %1</source>
+        <translation>Renderizando %1</translation>
+    </message>
+    <message>
+        <source>Render failed: %1</source>
+        <translation>El render falló: %1</translation>
+    </message>
+    <message>
+        <source>Stopped, image kept</source>
+        <translation>Detenido; se conserva la imagen</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminado</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 muestras</translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation>error %1</translation>
+    </message>
+    <message>
+        <source>Stop the preview</source>
+        <translation>Detiene la vista previa</translation>
+    </message>
+    <message>
+        <source>Render %1</source>
+        <translation>Renderizar %1</translation>
+    </message>
+    <message>
+        <source>Stop this render and keep its image</source>
+        <translation>Detiene este render y conserva su imagen</translation>
+    </message>
+    <message>
+        <source>Replace the image</source>
+        <translation>Reemplazar la imagen</translation>
+    </message>
+    <message>
+        <source>%1 exists.</source>
+        <translation>%1 ya existe.</translation>
+    </message>
+    <message>
+        <source>It was not rendered in this session. Rendering overwrites it.</source>
+        <translation>No se renderizó en esta sesión. El render la sobrescribe.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Reemplazar</translation>
+    </message>
+    <message>
+        <source>Stopping: the image is kept</source>
+        <translation>Deteniéndose: se conserva la imagen</translation>
+    </message>
+    <message>
+        <source>Rendering</source>
+        <translation>Renderizando</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>quedan %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reanudar</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pausar</translation>
+    </message>
+    <message>
+        <source>A render is already running: its image is shown until it is done</source>
+        <translation>Ya hay un render en marcha: se muestra su imagen hasta que termina</translation>
+    </message>
+    <message>
+        <source>Render a progressive preview that follows your edits</source>
+        <translation>Renderiza una vista previa progresiva que sigue sus ediciones</translation>
+    </message>
+    <message>
+        <source>Queue a render of the scene as it is now</source>
+        <translation>Pone en cola un render de la escena como está ahora</translation>
+    </message>
+    <message>
+        <source>Render the scene as it is now to the image file</source>
+        <translation>Renderiza la escena como está ahora en el archivo de imagen</translation>
+    </message>
+    <message>
+        <source>Stop the render and keep its image</source>
+        <translation>Detiene el render y conserva su imagen</translation>
+    </message>
+    <message>
+        <source>No render is running</source>
+        <translation>No hay ningún render en marcha</translation>
+    </message>
+</context>
+<context>
+    <name>editor::RenderReport</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>editor::RenderSettingsRow</name>
+    <message>
+        <source>&lt;p&gt;%1.&lt;/p&gt;&lt;p&gt;Default: %2. In OP files: %3&lt;/p&gt;</source>
+        <translation>&lt;p&gt;%1.&lt;/p&gt;&lt;p&gt;Por defecto: %2. En archivos OP: %3&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Muestras</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;auto: no sample limit if there is a target error or a time limit, otherwise the default.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;auto: sin límite de muestras si hay un error objetivo o un límite de tiempo; si no, el valor por defecto.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>Sampling scheme</source>
+        <translation>Esquema de muestreo</translation>
+    </message>
+    <message>
+        <source>as in the scene</source>
+        <translation>como en la escena</translation>
+    </message>
+    <message>
+        <source>Target error</source>
+        <translation>Error objetivo</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Límite de tiempo</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+</context>
+<context>
+    <name>editor::RendererProcess</name>
+    <message>
+        <source>cannot find the renderer &apos;bpt&apos;: put it into the folder %1, or into one of PATH</source>
+        <translation>no se encuentra el programa de render &apos;bpt&apos;: póngalo en la carpeta %1, o en una de PATH</translation>
+    </message>
+    <message>
+        <source>cannot start the renderer %1: %2</source>
+        <translation>no se puede iniciar el programa de render %1: %2</translation>
+    </message>
+    <message>
+        <source>the renderer was terminated by a signal</source>
+        <translation>una señal terminó el programa de render</translation>
+    </message>
+    <message>
+        <source>the renderer exited with code %1</source>
+        <translation>el programa de render terminó con el código %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ScaleBar</name>
+    <message>
+        <source>Colour scale</source>
+        <translation>Escala de color</translation>
+    </message>
+    <message>
+        <source>Signed difference: luminance of the image minus that of the reference, W/(sr m2).</source>
+        <translation>Diferencia con signo: luminancia de la imagen menos la de la referencia, W/(sr m2).</translation>
+    </message>
+    <message>
+        <source>Luminance in cd/m2: the luminance of the radiance, times %1 lm/W.</source>
+        <translation>Luminancia en cd/m2: la luminancia de la radiancia, por %1 lm/W.</translation>
+    </message>
+    <message>
+        <source>A - B</source>
+        <translation>A - B</translation>
+    </message>
+    <message>
+        <source>cd/m2</source>
+        <translation>cd/m2</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SceneComparison</name>
+    <message>
+        <source>Differences between the scene and its file</source>
+        <translation>Diferencias entre la escena y su archivo</translation>
+    </message>
+    <message>
+        <source>the scene in this window</source>
+        <translation>la escena en esta ventana</translation>
+    </message>
+    <message>
+        <source>Cannot start diff: %1</source>
+        <translation>No se puede iniciar diff: %1</translation>
+    </message>
+    <message>
+        <source>The scene and its file do not differ.</source>
+        <translation>La escena y su archivo no difieren.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SceneLoader</name>
+    <message>
+        <source>%1 (and 1 more error)</source>
+        <translation>%1 (y 1 error más)</translation>
+    </message>
+    <message>
+        <source>%1 (and %2 more errors)</source>
+        <translation>%1 (y %2 errores más)</translation>
+    </message>
+    <message>
+        <source>Cannot read %1</source>
+        <translation>No se puede leer %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SceneModel</name>
+    <message>
+        <source>Rename to %1</source>
+        <translation>Renombrar a %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SceneTree</name>
+    <message>
+        <source>Scene</source>
+        <translation>Escena</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>Search the scene</source>
+        <translation>Buscar en la escena</translation>
+    </message>
+    <message>
+        <source>Show only items whose names contain this text</source>
+        <translation>Muestra solo los elementos cuyo nombre contiene este texto</translation>
+    </message>
+    <message>
+        <source>The scene is empty.
+
+Open or import a file, or drop one on the window.</source>
+        <translation>La escena está vacía.
+
+Abra o importe un archivo, o suelte uno en la ventana.</translation>
+    </message>
+    <message>
+        <source>Items of the scene</source>
+        <translation>Elementos de la escena</translation>
+    </message>
+    <message>
+        <source>Scene outliner: objects, lights and definitions; selecting an item selects its faces</source>
+        <translation>Árbol de la escena: objetos, luces y definiciones; al seleccionar un elemento se seleccionan sus caras</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renombrar</translation>
+    </message>
+    <message>
+        <source>Rename the item</source>
+        <translation>Renombra el elemento</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplicar</translation>
+    </message>
+    <message>
+        <source>Duplicate the object beside itself, as an instance that shares its mesh</source>
+        <translation>Duplica el objeto a su lado, como una instancia que comparte su malla</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Eliminar</translation>
+    </message>
+    <message>
+        <source>Delete the selected items</source>
+        <translation>Elimina los elementos seleccionados</translation>
+    </message>
+    <message>
+        <source>Delete unused definitions</source>
+        <translation>Eliminar las definiciones sin uso</translation>
+    </message>
+    <message>
+        <source>Delete all definitions that nothing refers to</source>
+        <translation>Elimina todas las definiciones a las que nada se refiere</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>Duplicar %1</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>Eliminar %1</translation>
+    </message>
+    <message>
+        <source>Delete %1 objects</source>
+        <translation>Eliminar %1 objetos</translation>
+    </message>
+    <message>
+        <source>All definitions are used.</source>
+        <translation>Todas las definiciones se usan.</translation>
+    </message>
+    <message>
+        <source>1 face</source>
+        <translation>1 cara</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 caras</translation>
+    </message>
+    <message>
+        <source>rotated by %1°</source>
+        <translation>rotado %1°</translation>
+    </message>
+    <message>
+        <source>scaled by %1</source>
+        <translation>escalado por %1</translation>
+    </message>
+    <message>
+        <source>translated by %1</source>
+        <translation>trasladado %1</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objetos</translation>
+    </message>
+    <message>
+        <source>The objects of the scene, nested as in its scene graph</source>
+        <translation>Los objetos de la escena, anidados como en su grafo</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>BRDFs</source>
+        <translation>BRDF</translation>
+    </message>
+    <message>
+        <source>Sampling schemes</source>
+        <translation>Esquemas de muestreo</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Colores</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Texturas</translation>
+    </message>
+    <message>
+        <source>Mesh definitions</source>
+        <translation>Definiciones de mallas</translation>
+    </message>
+    <message>
+        <source>Named definitions of the scene</source>
+        <translation>Definiciones con nombre de la escena</translation>
+    </message>
+    <message>
+        <source>A mesh</source>
+        <translation>Una malla</translation>
+    </message>
+    <message>
+        <source>mesh light</source>
+        <translation>malla emisora</translation>
+    </message>
+    <message>
+        <source>A mesh that emits light</source>
+        <translation>Una malla que emite luz</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>claro</translation>
+    </message>
+    <message>
+        <source>A parallelogram area light</source>
+        <translation>Una luz de área con forma de paralelogramo</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>archivo</translation>
+    </message>
+    <message>
+        <source>The blocks of the file %1</source>
+        <translation>Los bloques del archivo %1</translation>
+    </message>
+    <message>
+        <source>transform</source>
+        <translation>transformación</translation>
+    </message>
+    <message>
+        <source>observer</source>
+        <translation>observador</translation>
+    </message>
+    <message>
+        <source>The viewpoint for view-dependent irradiance</source>
+        <translation>El punto de vista para la irradiancia que depende de él</translation>
+    </message>
+    <message>
+        <source>use</source>
+        <translation>uso</translation>
+    </message>
+    <message>
+        <source>An instance of the mesh &apos;%1&apos;</source>
+        <translation>Una instancia de la malla &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>unused</source>
+        <translation>sin uso</translation>
+    </message>
+    <message>
+        <source>1 use</source>
+        <translation>1 uso</translation>
+    </message>
+    <message>
+        <source>%1 uses</source>
+        <translation>%1 usos</translation>
+    </message>
+    <message>
+        <source>Colour %1</source>
+        <translation>Color %1</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>malla</translation>
+    </message>
+    <message>
+        <source>1 object</source>
+        <translation>1 objeto</translation>
+    </message>
+    <message>
+        <source>%1 objects</source>
+        <translation>%1 objetos</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SceneView</name>
+    <message>
+        <source>default diffuse</source>
+        <translation>difusa por defecto</translation>
+    </message>
+    <message>
+        <source>textured</source>
+        <translation>con textura</translation>
+    </message>
+    <message>
+        <source>emissive</source>
+        <translation>emisora</translation>
+    </message>
+    <message>
+        <source>%1 · face %2 · %3</source>
+        <translation>%1 · cara %2 · %3</translation>
+    </message>
+    <message>
+        <source>unnamed mesh</source>
+        <translation>malla sin nombre</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>claro</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Vista 3D</translation>
+    </message>
+    <message>
+        <source>The scene. Arrow keys orbit, with Shift they pan, plus and minus zoom, Space selects the face in the middle, F frames the selection, Home frames all, 1, 3, 7 and 9 are standard views, 5 changes perspective.</source>
+        <translation>La escena. Las flechas orbitan, con Mayúsculas desplazan, más y menos acercan y alejan, Espacio selecciona la cara del centro, F encuadra la selección, Inicio lo encuadra todo, 1, 3, 7 y 9 son vistas estándar, 5 cambia la perspectiva.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ScreenControls</name>
+    <message>
+        <source>Exposure in stops: +1 doubles the brightness. Keys E and Shift+E.</source>
+        <translation>Exposición en pasos: +1 duplica el brillo. Teclas E y Mayúsculas+E.</translation>
+    </message>
+    <message>
+        <source>Exposure in stops</source>
+        <translation>Exposición en pasos</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Exposición</translation>
+    </message>
+    <message>
+        <source>sRGB</source>
+        <translation>sRGB</translation>
+    </message>
+    <message>
+        <source>Filmic</source>
+        <translation>Película</translation>
+    </message>
+    <message>
+        <source>Reinhard</source>
+        <translation>Reinhard</translation>
+    </message>
+    <message>
+        <source>Tone curve</source>
+        <translation>Curva de tonos</translation>
+    </message>
+    <message>
+        <source>Tone mapping of radiance for the screen. sRGB: as in 8-bit files, clipped at 1. Filmic: highlights roll off as on film. Reinhard: x / (1 + x), without clipping.</source>
+        <translation>Mapeo de tonos de la radiancia para la pantalla. sRGB: como en archivos de 8 bits, recortado en 1. Película: las altas luces se atenúan como en una película. Reinhard: x / (1 + x), sin recorte.</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rojo</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Verde</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Azul</translation>
+    </message>
+    <message>
+        <source>Luminance</source>
+        <translation>Luminancia</translation>
+    </message>
+    <message>
+        <source>False colour</source>
+        <translation>Falso color</translation>
+    </message>
+    <message>
+        <source>Channels shown</source>
+        <translation>Canales que se muestran</translation>
+    </message>
+    <message>
+        <source>Channels that are shown: all, one of them, the luminance in grey, or the luminance in false colours with a scale. Keys C, R, G, B, Y and P.</source>
+        <translation>Canales que se muestran: todos, uno de ellos, la luminancia en gris, o la luminancia en falso color con una escala. Teclas C, R, G, B, Y y P.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SelectionActions</name>
+    <message>
+        <source>&amp;All</source>
+        <translation>&amp;Todas</translation>
+    </message>
+    <message>
+        <source>Select all faces</source>
+        <translation>Selecciona todas las caras</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Ninguna</translation>
+    </message>
+    <message>
+        <source>Deselect all faces</source>
+        <translation>Deselecciona todas las caras</translation>
+    </message>
+    <message>
+        <source>&amp;Invert</source>
+        <translation>&amp;Invertir</translation>
+    </message>
+    <message>
+        <source>Invert the selection</source>
+        <translation>Invierte la selección</translation>
+    </message>
+    <message>
+        <source>&amp;Grow</source>
+        <translation>A&amp;mpliar</translation>
+    </message>
+    <message>
+        <source>Grow the selection by faces that share an edge with it</source>
+        <translation>Amplía la selección con las caras que comparten una arista con ella</translation>
+    </message>
+    <message>
+        <source>&amp;Shrink</source>
+        <translation>&amp;Reducir</translation>
+    </message>
+    <message>
+        <source>Shrink the selection by the faces at its border</source>
+        <translation>Reduce la selección en las caras de su borde</translation>
+    </message>
+    <message>
+        <source>&amp;Connected</source>
+        <translation>&amp;Conectadas</translation>
+    </message>
+    <message>
+        <source>Select all faces that are connected to the selected ones</source>
+        <translation>Selecciona todas las caras conectadas con las seleccionadas</translation>
+    </message>
+    <message>
+        <source>Expand to whole &amp;mesh</source>
+        <translation>Extender a toda la ma&amp;lla</translation>
+    </message>
+    <message>
+        <source>Expand the selection to all faces of its meshes</source>
+        <translation>Extiende la selección a todas las caras de sus mallas</translation>
+    </message>
+    <message>
+        <source>Select &amp;faces by...</source>
+        <translation>&amp;Seleccionar caras por...</translation>
+    </message>
+    <message>
+        <source>Select faces by normal, area, height, material, and by several similarities at once</source>
+        <translation>Selecciona caras por normal, área, altura, material, y por varias semejanzas a la vez</translation>
+    </message>
+    <message>
+        <source>Within %1°</source>
+        <translation>Hasta %1°</translation>
+    </message>
+    <message>
+        <source>Select connected faces that are coplanar within %1°</source>
+        <translation>Selecciona las caras conectadas que son coplanarias hasta %1°</translation>
+    </message>
+    <message>
+        <source>&amp;BRDF</source>
+        <translation>&amp;BRDF</translation>
+    </message>
+    <message>
+        <source>Select all faces with the same BRDF as a selected one</source>
+        <translation>Selecciona todas las caras con la misma BRDF que una seleccionada</translation>
+    </message>
+    <message>
+        <source>&amp;Sampling</source>
+        <translation>&amp;Muestreo</translation>
+    </message>
+    <message>
+        <source>Select all faces with the same sampling scheme as a selected one</source>
+        <translation>Selecciona todas las caras con el mismo esquema de muestreo que una seleccionada</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>&amp;Color</translation>
+    </message>
+    <message>
+        <source>Select all faces with the same colour as a selected one</source>
+        <translation>Selecciona todas las caras con el mismo color que una seleccionada</translation>
+    </message>
+    <message>
+        <source>&amp;Texture</source>
+        <translation>Te&amp;xtura</translation>
+    </message>
+    <message>
+        <source>Select all faces with the same texture as a selected one</source>
+        <translation>Selecciona todas las caras con la misma textura que una seleccionada</translation>
+    </message>
+    <message>
+        <source>&amp;Emission</source>
+        <translation>&amp;Emisión</translation>
+    </message>
+    <message>
+        <source>Select all faces with the same emission as a selected one</source>
+        <translation>Selecciona todas las caras con la misma emisión que una seleccionada</translation>
+    </message>
+    <message>
+        <source>Select all faces with the same surface as a selected one</source>
+        <translation>Selecciona todas las caras con la misma superficie que una seleccionada</translation>
+    </message>
+    <message>
+        <source>&amp;Lasso</source>
+        <translation>La&amp;zo</translation>
+    </message>
+    <message>
+        <source>Drag a lasso around faces instead of a box</source>
+        <translation>Arrastra un lazo alrededor de las caras en vez de un recuadro</translation>
+    </message>
+    <message>
+        <source>Select &amp;through</source>
+        <translation>Seleccionar a tra&amp;vés</translation>
+    </message>
+    <message>
+        <source>Select hidden faces, too, with boxes, lassos, brush and polygon</source>
+        <translation>Selecciona también las caras ocultas, con recuadros, lazos, brocha y polígono</translation>
+    </message>
+    <message>
+        <source>&amp;Brush</source>
+        <translation>&amp;Brocha</translation>
+    </message>
+    <message>
+        <source>Paint over faces to select them, with Ctrl to deselect them; [ and ] change the radius, Escape ends</source>
+        <translation>Pinta sobre las caras para seleccionarlas, con Ctrl para deseleccionarlas; [ y ] cambian el radio, Escape termina</translation>
+    </message>
+    <message>
+        <source>&amp;Polygon</source>
+        <translation>&amp;Polígono</translation>
+    </message>
+    <message>
+        <source>Click the corners of a polygon around faces; Return or a double click selects, Escape ends</source>
+        <translation>Haga clic en las esquinas de un polígono alrededor de las caras; Intro o un doble clic selecciona, Escape termina</translation>
+    </message>
+    <message>
+        <source>C&amp;oplanar</source>
+        <translation>C&amp;oplanarias</translation>
+    </message>
+    <message>
+        <source>Select simila&amp;r</source>
+        <translation>S&amp;eleccionar similares</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ShaderTextView</name>
+    <message>
+        <source>BRDF</source>
+        <translation>BRDF</translation>
+    </message>
+    <message>
+        <source>The BRDF whose shader is shown</source>
+        <translation>La BRDF cuyo shader se muestra</translation>
+    </message>
+    <message>
+        <source>Shader - BRDF viewer</source>
+        <translation>Shader - visor de BRDF</translation>
+    </message>
+    <message>
+        <source>BRDF A</source>
+        <translation>BRDF A</translation>
+    </message>
+    <message>
+        <source>BRDF B</source>
+        <translation>BRDF B</translation>
+    </message>
+    <message>
+        <source>Fragment shader</source>
+        <translation>Shader de fragmentos</translation>
+    </message>
+    <message>
+        <source>This BRDF has no shader: it is shaded on the CPU.</source>
+        <translation>Esta BRDF no tiene shader: se sombrea en la CPU.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SourceText</name>
+    <message>
+        <source>Text of the file</source>
+        <translation>Texto del archivo</translation>
+    </message>
+    <message>
+        <source>The file as it is on disk, read-only. Edit it in the text editor.</source>
+        <translation>El archivo como está en el disco, de solo lectura. Edítelo en el editor de texto.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SourceView</name>
+    <message>
+        <source>Lines %1 to %2 of %3: the file is too long to be shown whole.</source>
+        <translation>Líneas %1 a %2 de %3: el archivo es demasiado largo para mostrarlo entero.</translation>
+    </message>
+    <message>
+        <source>Lines with more than %1 characters are shown in part.</source>
+        <translation>Las líneas con más de %1 caracteres se muestran en parte.</translation>
+    </message>
+    <message>
+        <source>No file is shown.
+
+Select a message to see the line that it refers to.</source>
+        <translation>No se muestra ningún archivo.
+
+Seleccione un mensaje para ver la línea a la que se refiere.</translation>
+    </message>
+    <message>
+        <source>Open in text editor</source>
+        <translation>Abrir en el editor de texto</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Recargar</translation>
+    </message>
+    <message>
+        <source>Source text</source>
+        <translation>Texto del archivo</translation>
+    </message>
+    <message>
+        <source>Path of the file</source>
+        <translation>Ruta del archivo</translation>
+    </message>
+    <message>
+        <source>No file</source>
+        <translation>Ningún archivo</translation>
+    </message>
+    <message>
+        <source>No file is shown yet: select a message first</source>
+        <translation>Aún no se muestra ningún archivo: seleccione antes un mensaje</translation>
+    </message>
+    <message>
+        <source>Open the file in the default program of the desktop</source>
+        <translation>Abre el archivo en el programa por defecto del escritorio</translation>
+    </message>
+    <message>
+        <source>Reload the file from disk (F5)</source>
+        <translation>Recarga el archivo del disco (F5)</translation>
+    </message>
+    <message>
+        <source>%1 is not a file</source>
+        <translation>%1 no es un archivo</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: %2</source>
+        <translation>No se puede leer %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SphereRenderer</name>
+    <message>
+        <source>The graphics driver cannot compile the shader of a BRDF: its sphere is shaded on the CPU: %1</source>
+        <translation>El controlador gráfico no puede compilar el shader de una BRDF: su esfera se sombrea en la CPU: %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::StatusLine</name>
+    <message>
+        <source>Message</source>
+        <translation>Mensaje</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>Progress of the job</source>
+        <translation>Progreso del trabajo</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>Recuento</translation>
+    </message>
+    <message>
+        <source>Selected faces, and triangles of the whole scene with all instances</source>
+        <translation>Caras seleccionadas, y triángulos de toda la escena con todas las instancias</translation>
+    </message>
+    <message>
+        <source>%1 of %2 selected  ·  %3</source>
+        <translation>%1 de %2 seleccionadas  ·  %3</translation>
+    </message>
+    <message>
+        <source>1 face</source>
+        <translation>1 cara</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 caras</translation>
+    </message>
+    <message>
+        <source>1 triangle</source>
+        <translation>1 triángulo</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 triángulos</translation>
+    </message>
+    <message>
+        <source>%1 (+%2)</source>
+        <translation>%1 (+%2)</translation>
+    </message>
+</context>
+<context>
+    <name>editor::StudyForm</name>
+    <message>
+        <source>Open a file, or drop it here</source>
+        <translation>Abra un archivo, o suéltelo aquí</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ajustes</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Distribución</translation>
+    </message>
+    <message>
+        <source>BRDF</source>
+        <translation>BRDF</translation>
+    </message>
+    <message>
+        <source>Sampling scheme</source>
+        <translation>Esquema de muestreo</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Archivos</translation>
+    </message>
+    <message>
+        <source>The files that are shown; drop others here or on the figure</source>
+        <translation>Los archivos que se muestran; suelte otros aquí o en la figura</translation>
+    </message>
+    <message>
+        <source>Add a file</source>
+        <translation>Añadir un archivo</translation>
+    </message>
+    <message>
+        <source>Open a file of the kinds that the tool shows</source>
+        <translation>Abre un archivo de los tipos que muestra la herramienta</translation>
+    </message>
+    <message>
+        <source>Remove the file</source>
+        <translation>Quitar el archivo</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Archivo</translation>
+    </message>
+    <message>
+        <source>Remove the selected file from the figure</source>
+        <translation>Quita el archivo seleccionado de la figura</translation>
+    </message>
+    <message>
+        <source>No file is selected.</source>
+        <translation>No hay ningún archivo seleccionado.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::StudyWindow</name>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Detener</translation>
+    </message>
+    <message>
+        <source>Stop computing the figure</source>
+        <translation>Detiene el cálculo de la figura</translation>
+    </message>
+    <message>
+        <source>No file is open.
+
+Open a file (Ctrl+O), or drop one here.</source>
+        <translation>No hay ningún archivo abierto.
+
+Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
+    </message>
+    <message>
+        <source>There is no figure for these settings: see the message above.</source>
+        <translation>No hay figura para estos ajustes: vea el mensaje de arriba.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SurfacePanel</name>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>No face is selected.
+
+Click a face in the view, drag a box around several, or select an object in the Scene dock.</source>
+        <translation>No hay ninguna cara seleccionada.
+
+Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o seleccione un objeto en el panel Escena.</translation>
+    </message>
+    <message>
+        <source>World-space area of the selected faces, summed over all instances</source>
+        <translation>Área de las caras seleccionadas en el espacio de la escena, sumada sobre todas las instancias</translation>
+    </message>
+    <message>
+        <source>Copy surface from a face</source>
+        <translation>Copiar la superficie de una cara</translation>
+    </message>
+    <message>
+        <source>Copy surface from the face that you click in the view</source>
+        <translation>Copia la superficie de la cara en la que haga clic en la vista</translation>
+    </message>
+    <message>
+        <source>&amp;BRDF</source>
+        <translation>&amp;BRDF</translation>
+    </message>
+    <message>
+        <source>Sam&amp;pling</source>
+        <translation>&amp;Muestreo</translation>
+    </message>
+    <message>
+        <source>C&amp;olour</source>
+        <translation>C&amp;olor</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture</source>
+        <translation>Te&amp;xtura</translation>
+    </message>
+    <message>
+        <source>E&amp;mission</source>
+        <translation>Emisió&amp;n</translation>
+    </message>
+    <message>
+        <source>&amp;Normals</source>
+        <translation>Norma&amp;les</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Vértices</translation>
+    </message>
+    <message>
+        <source>Irr&amp;adiance</source>
+        <translation>Irra&amp;diancia</translation>
+    </message>
+    <message>
+        <source>1 face selected</source>
+        <translation>1 cara seleccionada</translation>
+    </message>
+    <message>
+        <source>%1 faces selected</source>
+        <translation>%1 caras seleccionadas</translation>
+    </message>
+    <message>
+        <source>Pick BRDF</source>
+        <translation>Tomar la BRDF</translation>
+    </message>
+</context>
+<context>
+    <name>editor::TermsEditor</name>
+    <message>
+        <source>Add a BRDF</source>
+        <translation>Añadir una BRDF</translation>
+    </message>
+    <message>
+        <source>Add a BRDF to the sum</source>
+        <translation>Añadir una BRDF a la suma</translation>
+    </message>
+    <message>
+        <source>Define named BRDFs in the scene first: a sum refers to those.</source>
+        <translation>Defina antes BRDF con nombre en la escena: una suma se refiere a ellas.</translation>
+    </message>
+    <message>
+        <source>The faces have different sums. Adding a BRDF here replaces them.</source>
+        <translation>Las caras tienen sumas distintas. Añadir aquí una BRDF las reemplaza.</translation>
+    </message>
+    <message>
+        <source>Add the BRDFs of the sum.</source>
+        <translation>Añada las BRDF de la suma.</translation>
+    </message>
+    <message>
+        <source>The scene has no named BRDFs</source>
+        <translation>La escena no tiene BRDF con nombre</translation>
+    </message>
+    <message>
+        <source>Add a BRDF of the scene, with a weight</source>
+        <translation>Añade una BRDF de la escena, con un peso</translation>
+    </message>
+    <message>
+        <source>The weight of this BRDF in the sum</source>
+        <translation>El peso de esta BRDF en la suma</translation>
+    </message>
+    <message>
+        <source>BRDF of the term</source>
+        <translation>BRDF del término</translation>
+    </message>
+    <message>
+        <source>A BRDF that the scene defines</source>
+        <translation>Una BRDF que define la escena</translation>
+    </message>
+    <message>
+        <source>Remove this BRDF from the sum</source>
+        <translation>Quita esta BRDF de la suma</translation>
+    </message>
+    <message>
+        <source>weight of %1</source>
+        <translation>peso de %1</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>quitar %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::TexturePreview</name>
+    <message>
+        <source>Texture</source>
+        <translation>Textura</translation>
+    </message>
+    <message>
+        <source>The texture, with the selected faces drawn at their texture coordinates (UVs)</source>
+        <translation>La textura, con las caras seleccionadas dibujadas en sus coordenadas de textura (UV)</translation>
+    </message>
+    <message>
+        <source>reading %1 …</source>
+        <translation>leyendo %1 …</translation>
+    </message>
+</context>
+<context>
+    <name>editor::TextureRow</name>
+    <message>
+        <source>Set texture</source>
+        <translation>Cambiar la textura</translation>
+    </message>
+    <message>
+        <source>Remove texture</source>
+        <translation>Quitar la textura</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Textura</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>Browse for an image</source>
+        <translation>Buscar una imagen</translation>
+    </message>
+    <message>
+        <source>Browse for an image file</source>
+        <translation>Busca un archivo de imagen</translation>
+    </message>
+    <message>
+        <source>Remove the texture</source>
+        <translation>Quita la textura</translation>
+    </message>
+    <message>
+        <source>The faces have no texture coordinates (UVs): all of them show the same point of the image.</source>
+        <translation>Las caras no tienen coordenadas de textura (UV): todas muestran el mismo punto de la imagen.</translation>
+    </message>
+    <message>
+        <source>Image texture that multiplies the colour: a texture of the scene, or a file name</source>
+        <translation>Imagen de textura que multiplica el color: una textura de la escena, o un nombre de archivo</translation>
+    </message>
+    <message>
+        <source>The faces have no texture.</source>
+        <translation>Las caras no tienen textura.</translation>
+    </message>
+    <message>
+        <source>Images (*.png *.jpg *.jpeg *.bmp *.tga *.exr *.hdr);;All files (*)</source>
+        <translation>Imágenes (*.png *.jpg *.jpeg *.bmp *.tga *.exr *.hdr);;Todos los archivos (*)</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ToolWindow</name>
+    <message>
+        <source>%1 - wannabe</source>
+        <translation>%1 - wannabe</translation>
+    </message>
+    <message>
+        <source>What is under the pointer</source>
+        <translation>Lo que hay bajo el puntero</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Abrir...</translation>
+    </message>
+    <message>
+        <source>Open the settings of a figure, or files that the tool shows</source>
+        <translation>Abre los ajustes de una figura, o archivos que muestra la herramienta</translation>
+    </message>
+    <message>
+        <source>&amp;Save settings...</source>
+        <translation>&amp;Guardar los ajustes...</translation>
+    </message>
+    <message>
+        <source>Save the settings as text, from which the figure can be made again</source>
+        <translation>Guarda los ajustes como texto, con el que la figura se puede hacer de nuevo</translation>
+    </message>
+    <message>
+        <source>&amp;Export figure...</source>
+        <translation>&amp;Exportar la figura...</translation>
+    </message>
+    <message>
+        <source>Export the figure as SVG, PNG or PDF</source>
+        <translation>Exporta la figura como SVG, PNG o PDF</translation>
+    </message>
+    <message>
+        <source>Export the figure</source>
+        <translation>Exportar la figura</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</source>
+        <translation>SVG (*.svg);;PNG (*.png);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Export &amp;data...</source>
+        <translation>Exportar los da&amp;tos...</translation>
+    </message>
+    <message>
+        <source>Export the values of the figure, or its images</source>
+        <translation>Exporta los valores de la figura, o sus imágenes</translation>
+    </message>
+    <message>
+        <source>Export &amp;animation...</source>
+        <translation>Exportar la a&amp;nimación...</translation>
+    </message>
+    <message>
+        <source>Export a picture for each of %1 steps of %2</source>
+        <translation>Exporta una imagen por cada uno de %1 pasos de %2</translation>
+    </message>
+    <message>
+        <source>Export the animation</source>
+        <translation>Exportar la animación</translation>
+    </message>
+    <message>
+        <source>PNG (*.png);;SVG (*.svg);;PDF (*.pdf)</source>
+        <translation>PNG (*.png);;SVG (*.svg);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Cerrar</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Cierra esta ventana</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Edición</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>Undo the last change of the settings</source>
+        <translation>Deshace el último cambio de los ajustes</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>Redo the change that was undone</source>
+        <translation>Rehace el cambio que se deshizo</translation>
+    </message>
+    <message>
+        <source>&amp;Copy settings</source>
+        <translation>&amp;Copiar los ajustes</translation>
+    </message>
+    <message>
+        <source>Copy the settings as text</source>
+        <translation>Copia los ajustes como texto</translation>
+    </message>
+    <message>
+        <source>&amp;Paste settings</source>
+        <translation>&amp;Pegar los ajustes</translation>
+    </message>
+    <message>
+        <source>Paste settings from text</source>
+        <translation>Pega los ajustes desde texto</translation>
+    </message>
+    <message>
+        <source>clipboard</source>
+        <translation>portapapeles</translation>
+    </message>
+    <message>
+        <source>Reset &amp;all settings</source>
+        <translation>Restablecer &amp;todos los ajustes</translation>
+    </message>
+    <message>
+        <source>Reset the tool to its first settings</source>
+        <translation>Restablece los primeros ajustes de la herramienta</translation>
+    </message>
+    <message>
+        <source>Apply to the &amp;faces</source>
+        <translation>Aplicar a las ca&amp;ras</translation>
+    </message>
+    <message>
+        <source>Apply the BRDF to the faces that are selected in the editor</source>
+        <translation>Aplica la BRDF a las caras seleccionadas en el editor</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Reproducir</translation>
+    </message>
+    <message>
+        <source>Show all values of %1 one after the other</source>
+        <translation>Muestra todos los valores de %1 uno tras otro</translation>
+    </message>
+    <message>
+        <source>This tool has no BRDF of its own.</source>
+        <translation>Esta herramienta no tiene BRDF propia.</translation>
+    </message>
+    <message>
+        <source>Open this tool from the editor to apply its BRDF to faces.</source>
+        <translation>Abra esta herramienta desde el editor para aplicar su BRDF a caras.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Files of this tool (%1)</source>
+        <translation>Archivos de esta herramienta (%1)</translation>
+    </message>
+    <message>
+        <source>Save the settings</source>
+        <translation>Guardar los ajustes</translation>
+    </message>
+    <message>
+        <source>Settings (*.%1)</source>
+        <translation>Ajustes (*.%1)</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>Se ha escrito %1</translation>
+    </message>
+    <message>
+        <source>Export the data</source>
+        <translation>Exportar los datos</translation>
+    </message>
+    <message>
+        <source>GRF &amp;viewer</source>
+        <translation>&amp;Visor de GRF</translation>
+    </message>
+    <message>
+        <source>View a scene without editing it</source>
+        <translation>Muestra una escena sin editarla</translation>
+    </message>
+    <message>
+        <source>Render &amp;options</source>
+        <translation>&amp;Opciones de render</translation>
+    </message>
+    <message>
+        <source>Edit and check the render options of an OP file</source>
+        <translation>Edita y comprueba las opciones de render de un archivo OP</translation>
+    </message>
+    <message>
+        <source>&amp;Image view</source>
+        <translation>Vista de &amp;imágenes</translation>
+    </message>
+    <message>
+        <source>View and compare images, and renders in progress</source>
+        <translation>Muestra y compara imágenes, y renders en marcha</translation>
+    </message>
+</context>
+<context>
+    <name>editor::VertexRow</name>
+    <message>
+        <source>Vertex colour</source>
+        <translation>Color de los vértices</translation>
+    </message>
+    <message>
+        <source>linear RGB per vertex, which replaces the colour</source>
+        <translation>RGB lineal por vértice, que reemplaza el color</translation>
+    </message>
+    <message>
+        <source>Irradiance</source>
+        <translation>Irradiancia</translation>
+    </message>
+    <message>
+        <source>irradiance per vertex, W/m²</source>
+        <translation>irradiancia por vértice, W/m²</translation>
+    </message>
+    <message>
+        <source>Bake the irradiance</source>
+        <translation>Precalcular la irradiancia</translation>
+    </message>
+    <message>
+        <source>Bake the irradiance at all vertices of the scene</source>
+        <translation>Precalcula la irradiancia en todos los vértices de la escena</translation>
+    </message>
+    <message>
+        <source>Clear the vertex colours</source>
+        <translation>Borrar los colores de los vértices</translation>
+    </message>
+    <message>
+        <source>Clear the irradiance</source>
+        <translation>Borrar la irradiancia</translation>
+    </message>
+    <message>
+        <source>The vertices have no colours.</source>
+        <translation>Los vértices no tienen colores.</translation>
+    </message>
+    <message>
+        <source>The vertices have no irradiance.</source>
+        <translation>Los vértices no tienen irradiancia.</translation>
+    </message>
+    <message>
+        <source>Clear the irradiance of the vertices</source>
+        <translation>Borra la irradiancia de los vértices</translation>
+    </message>
+    <message>
+        <source>Set vertex colours</source>
+        <translation>Cambiar los colores de los vértices</translation>
+    </message>
+    <message>
+        <source>Set irradiance</source>
+        <translation>Cambiar la irradiancia</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ViewActions</name>
+    <message>
+        <source>&amp;Grid and axes</source>
+        <translation>&amp;Cuadrícula y ejes</translation>
+    </message>
+    <message>
+        <source>Show the ground grid in whole units, and the axes</source>
+        <translation>Muestra la cuadrícula del suelo en unidades enteras, y los ejes</translation>
+    </message>
+    <message>
+        <source>Face &amp;normals</source>
+        <translation>&amp;Normales de las caras</translation>
+    </message>
+    <message>
+        <source>Show face normals as lines</source>
+        <translation>Muestra las normales de las caras como líneas</translation>
+    </message>
+    <message>
+        <source>&amp;Vertex normals</source>
+        <translation>No&amp;rmales de los vértices</translation>
+    </message>
+    <message>
+        <source>Show vertex normals as lines</source>
+        <translation>Muestra las normales de los vértices como líneas</translation>
+    </message>
+    <message>
+        <source>Frame &amp;all</source>
+        <translation>Encuadrar &amp;todo</translation>
+    </message>
+    <message>
+        <source>Frame the whole scene</source>
+        <translation>Encuadra toda la escena</translation>
+    </message>
+    <message>
+        <source>&amp;Frame selection</source>
+        <translation>&amp;Encuadrar la selección</translation>
+    </message>
+    <message>
+        <source>Frame the selected faces</source>
+        <translation>Encuadra las caras seleccionadas</translation>
+    </message>
+    <message>
+        <source>Fr&amp;ont</source>
+        <translation>&amp;Frente</translation>
+    </message>
+    <message>
+        <source>Look along -z</source>
+        <translation>Mira según -z</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Derecha</translation>
+    </message>
+    <message>
+        <source>Look along -x</source>
+        <translation>Mira según -x</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Planta</translation>
+    </message>
+    <message>
+        <source>Look along -y</source>
+        <translation>Mira según -y</translation>
+    </message>
+    <message>
+        <source>Oppos&amp;ite</source>
+        <translation>Op&amp;uesta</translation>
+    </message>
+    <message>
+        <source>Look from the opposite side</source>
+        <translation>Mira desde el lado opuesto</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective or orthographic</source>
+        <translation>Pro&amp;yección perspectiva u ortográfica</translation>
+    </message>
+    <message>
+        <source>Toggle perspective and orthographic projection</source>
+        <translation>Alterna entre proyección en perspectiva y ortográfica</translation>
+    </message>
+    <message>
+        <source>Display mode of the scene (Alt and a digit)</source>
+        <translation>Modo de visualización de la escena (Alt y una cifra)</translation>
+    </message>
+    <message>
+        <source>Display mode</source>
+        <translation>Modo de visualización</translation>
+    </message>
+    <message>
+        <source>&amp;Points</source>
+        <translation>Punto&amp;s</translation>
+    </message>
+    <message>
+        <source>Only vertices</source>
+        <translation>Solo vértices</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>A&amp;lámbrico</translation>
+    </message>
+    <message>
+        <source>Only edges</source>
+        <translation>Solo aristas</translation>
+    </message>
+    <message>
+        <source>&amp;Solid</source>
+        <translation>Sólid&amp;o</translation>
+    </message>
+    <message>
+        <source>Faces in their colours, lit by a headlight</source>
+        <translation>Caras con sus colores, iluminadas por una luz frontal</translation>
+    </message>
+    <message>
+        <source>Solid with &amp;edges</source>
+        <translation>Sólido con &amp;aristas</translation>
+    </message>
+    <message>
+        <source>Faces in their colours, with their edges</source>
+        <translation>Caras con sus colores y con sus aristas</translation>
+    </message>
+    <message>
+        <source>&amp;Textured</source>
+        <translation>Con te&amp;xturas</translation>
+    </message>
+    <message>
+        <source>Faces with their textures</source>
+        <translation>Caras con sus texturas</translation>
+    </message>
+    <message>
+        <source>&amp;Vertex colours</source>
+        <translation>Colores de los &amp;vértices</translation>
+    </message>
+    <message>
+        <source>The vertex colours</source>
+        <translation>Los colores de los vértices</translation>
+    </message>
+    <message>
+        <source>&amp;Irradiance</source>
+        <translation>&amp;Irradiancia</translation>
+    </message>
+    <message>
+        <source>The irradiance baked at the vertices</source>
+        <translation>La irradiancia precalculada en los vértices</translation>
+    </message>
+    <message>
+        <source>&amp;BRDF</source>
+        <translation>&amp;BRDF</translation>
+    </message>
+    <message>
+        <source>Faces shaded with their BRDFs, lit by a headlight and a sky</source>
+        <translation>Caras sombreadas con sus BRDF, iluminadas por una luz frontal y un cielo</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ViewController</name>
+    <message>
+        <source>Move the light</source>
+        <translation>Mover la luz</translation>
+    </message>
+    <message>
+        <source>Move the observer</source>
+        <translation>Mover el observador</translation>
+    </message>
+    <message>
+        <source>Set environment</source>
+        <translation>Cambiar el entorno</translation>
+    </message>
+    <message>
+        <source>%1 is the environment now</source>
+        <translation>%1 es ahora el entorno</translation>
+    </message>
+    <message>
+        <source>Add an observer</source>
+        <translation>Añadir un observador</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ViewDrawing</name>
+    <message>
+        <source>The graphics driver cannot compile the shader of the BRDF %1: the 3D view shades it on the CPU, more slowly: %2</source>
+        <translation>El controlador gráfico no puede compilar el shader de la BRDF %1: la vista 3D la sombrea en la CPU, más despacio: %2</translation>
+    </message>
+    <message>
+        <source>The BRDF %1 is previewed as diffuse in the 3D view</source>
+        <translation>La BRDF %1 se muestra como difusa en la vista 3D</translation>
+    </message>
+    <message>
+        <source>The 3D view shows %1 at a lower resolution: the graphics driver&apos;s textures have at most %2 pixels per row</source>
+        <translation>La vista 3D muestra %1 con menor resolución: las texturas del controlador gráfico tienen como máximo %2 píxeles por fila</translation>
+    </message>
+    <message>
+        <source>The 3D view leaves out %1 of %2 meshes: the graphics driver&apos;s buffers have at most %3 entries. Split the scene into files, and open one at a time</source>
+        <translation>La vista 3D omite %1 de %2 mallas: los búferes del controlador gráfico tienen como máximo %3 entradas. Divida la escena en archivos y ábralos de uno en uno</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ViewRenderer</name>
+    <message>
+        <source>The 3D view needs OpenGL 3.3, which this display does not support.</source>
+        <translation>La vista 3D necesita OpenGL 3.3, que esta pantalla no admite.</translation>
+    </message>
+    <message>
+        <source>The 3D view cannot draw: the graphics driver cannot compile a shader: %1</source>
+        <translation>La vista 3D no puede dibujar: el controlador gráfico no puede compilar un shader: %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ViewerWindow</name>
+    <message>
+        <source>1 face</source>
+        <translation>1 cara</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 caras</translation>
+    </message>
+    <message>
+        <source>1 triangle</source>
+        <translation>1 triángulo</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 triángulos</translation>
+    </message>
+    <message>
+        <source>GRF viewer</source>
+        <translation>Visor de GRF</translation>
+    </message>
+    <message>
+        <source>The viewer moves nothing: open the scene in the editor for that</source>
+        <translation>El visor no mueve nada: abra la escena en el editor para eso</translation>
+    </message>
+    <message>
+        <source>No scene is open.
+
+Open a file (Ctrl+O), or drop one here.</source>
+        <translation>No hay ninguna escena abierta.
+
+Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Escena</translation>
+    </message>
+    <message>
+        <source>What is under the pointer</source>
+        <translation>Lo que hay bajo el puntero</translation>
+    </message>
+    <message>
+        <source>Selected faces</source>
+        <translation>Caras seleccionadas</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Avisos</translation>
+    </message>
+    <message>
+        <source>Size of the scene</source>
+        <translation>Tamaño de la escena</translation>
+    </message>
+    <message>
+        <source>Faces of all meshes, each mesh counted once, and triangles, each instance counted</source>
+        <translation>Caras de todas las mallas, cada malla una vez, y triángulos, cada instancia contada</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Abrir...</translation>
+    </message>
+    <message>
+        <source>Open a scene, or a model of another format</source>
+        <translation>Abre una escena, o un modelo de otro formato</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>&amp;Recargar</translation>
+    </message>
+    <message>
+        <source>Nothing to reload: open a file first</source>
+        <translation>Nada que recargar: abra antes un archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Cerrar</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Cierra la ventana</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Reload the file; this also happens when the file changes</source>
+        <translation>Recarga el archivo; también ocurre cuando el archivo cambia</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Leyendo %1</translation>
+    </message>
+    <message>
+        <source>%1 - GRF viewer</source>
+        <translation>%1 - visor de GRF</translation>
+    </message>
+    <message>
+        <source>Show the line</source>
+        <translation>Mostrar la línea</translation>
+    </message>
+    <message>
+        <source>Show the line of the file with the error</source>
+        <translation>Muestra la línea del archivo con el error</translation>
+    </message>
+    <message>
+        <source>
+The previous version is still shown.</source>
+        <translation>
+La versión anterior se sigue mostrando.</translation>
+    </message>
+    <message>
+        <source>
+%1 is still shown.</source>
+        <translation>
+%1 se sigue mostrando.</translation>
+    </message>
+    <message>
+        <source>Source text - GRF viewer</source>
+        <translation>Texto del archivo - visor de GRF</translation>
+    </message>
+    <message>
+        <source>%1 selected</source>
+        <translation>%1 seleccionadas</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 aviso</translation>
+    </message>
+    <message>
+        <source>%1 warnings</source>
+        <translation>%1 avisos</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>y %1 más</translation>
+    </message>
+</context>
+</TS>
