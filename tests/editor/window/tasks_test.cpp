@@ -157,7 +157,7 @@ TEST_F(Tasks, ChangeTheCushionsToVelvet) {
   ASSERT_NE(velvet, nullptr);
   double_click(*tiles.viewport(), tiles.visualItemRect(velvet).center());
   // All cushions have the definition that was edited.
-  EXPECT_THAT(grf::to_text(document().scene()), testing::HasSubstr("cushion = brdf minnaert"));
+  EXPECT_THAT(grf::to_text(document().scene()), testing::HasSubstr("cushion = brdf ashikhmin ex=1"));
   expect_count("change the sofa's cushions to velvet");
 }
 
