@@ -45,11 +45,8 @@ RenderPanel::RenderPanel(Document& document, JobList& jobs, const QString& progr
   lay_out();
   connect_preview();
   connect_final();
-  const auto follow_scene = [this] {
-    if (preview_.is_on()) restart_preview();
-  };
-  connect(&document_, &Document::changed, this, follow_scene);
-  connect(&document_, &Document::path_changed, this, follow_scene);
+  connect(&document_, &Document::changed, this, &RenderPanel::follow);
+  connect(&document_, &Document::path_changed, this, &RenderPanel::follow);
   connect(&options_, &OpDocument::changed, this, &RenderPanel::show_options);
   connect(&options_, &OpDocument::path_changed, this,
           [this] { log(QString::fromStdString(options_.diagnostics().to_text())); });
@@ -157,8 +154,10 @@ void RenderPanel::connect_preview() {
   connect(&preview_, &Preview::image_changed, this,
           [this](const auto& image, const transport::RenderProgress& progress) {
             if (final_.is_running()) return;
-            image_path_.clear();
-            image_->set_image(image);
+            if (!preview_view_) {  // which shows it itself
+              image_path_.clear();
+              image_->set_image(image);
+            }
             if (progress.estimated_error && progress.done > 0) {
               curve_->add(progress.seconds, *progress.estimated_error);
             }
@@ -210,6 +209,7 @@ void RenderPanel::connect_final() {
     show_status(tr("Render failed: %1").arg(why.section('\n', 0, 0)));
     update_actions();
     if (std::exchange(resumes_after_, false)) preview_.resume();
+    if (!preview_.is_on()) follow();
     end_job();
   });
 }
@@ -225,7 +225,12 @@ void RenderPanel::finish(const FinalRenderResult& result) {
   show_status(text);
   log(text);
   update_actions();
-  resumes_after_ = false;  // preview images would hide this one
+  const bool was_paused = std::exchange(resumes_after_, false);
+  if (preview_view_ && was_paused) {
+    preview_.resume();
+  } else if (!preview_.is_on()) {
+    follow();  // in the dock, preview images would hide this one
+  }
   end_job();
 }
 
@@ -237,7 +242,7 @@ void RenderPanel::show_options() {
   if (!is_from_there) view_.reset();
   settings_->set_options(now);
   curve_->set_target(now.target_error);
-  if (preview_.is_on()) restart_preview();
+  if (!preview_view_ || preview_options() != previewed_options_) follow();
 }
 
 /// Lists the preview among the jobs while it renders. An edit restarts its progress.
@@ -247,7 +252,11 @@ void RenderPanel::list_preview(PreviewState state) {
     if (const QPointer<Job> job = std::exchange(preview_job_, nullptr)) job->end();
   } else if (!preview_job_) {
     jobs_.add({tr("Preview"), PreviewQueue, [this](Job& job) { preview_job_ = &job; },
-               [this] { preview_.stop(); }, tr("Stop the preview")});
+               [this] {
+                 follows_ = false;
+                 preview_.stop();
+               },
+               tr("Stop the preview")});
   } else if (state == PreviewState::Preparing) {
     preview_job_->show_progress(-1);
   }
@@ -256,14 +265,49 @@ void RenderPanel::list_preview(PreviewState state) {
 void RenderPanel::toggle_preview() {
   settings_->commit();  // clicking a button does not take the focus
   if (!preview_.is_on()) {
-    emit preview_starting();
-    return restart_preview();
+    return start_preview();
   }
   if (preview_.is_paused()) {
     preview_.resume();
   } else {
     preview_.pause();
   }
+}
+
+void RenderPanel::start_preview() {
+  emit preview_starting();
+  follows_ = preview_view_.has_value();
+  restart_preview();
+}
+
+void RenderPanel::set_preview_view(const std::optional<PreviewView>& view) {
+  if (view == preview_view_) return;
+  const bool is_new = !preview_view_;
+  preview_view_ = view;
+  if (!view) {
+    follows_ = false;
+    return preview_.stop();
+  }
+  is_new ? start_preview() : follow();
+}
+
+/// Restarts a preview after a change. In a view, it is also tried again once it has failed.
+void RenderPanel::follow() {
+  if (preview_.is_on() || follows_) restart_preview();
+}
+
+/// The options of the preview. In a view, those that it replaces are left out, so that it does not restart
+/// when only these change.
+RenderOptions RenderPanel::preview_options() const {
+  RenderOptions now = options_.valid_options();
+  if (!preview_view_) return now;
+  now.size = {preview_view_->size.width(), preview_view_->size.height()};
+  now.eye.reset();
+  now.target.reset();
+  now.up = RenderOptions().up;
+  now.field_of_view = RenderOptions().field_of_view;
+  now.camera.clear();
+  return now;
 }
 
 void RenderPanel::restart_preview() {
@@ -273,7 +317,9 @@ void RenderPanel::restart_preview() {
   }
   curve_->clear();
   show_status(tr("Preview"));
-  preview_.restart({document_.scene(), document_.path().toStdString(), options_.valid_options(), view_});
+  previewed_options_ = preview_options();
+  preview_.restart({document_.scene(), document_.path().toStdString(), previewed_options_,
+                    preview_view_ ? std::optional(preview_view_->camera) : view_});
   update_actions();
 }
 
@@ -317,6 +363,7 @@ void RenderPanel::stop() {
     show_status(tr("Stopping: the image is kept"));
     return final_.stop();
   }
+  follows_ = false;
   preview_.stop();
 }
 

@@ -24,6 +24,14 @@ class OpDocument;
 class RenderHistory;
 class RenderSettingsRow;
 
+/// What a preview in a 3D view shows, in place of the size and the camera of the options.
+struct PreviewView {
+  QSize size;  ///< device pixels
+  transport::View camera;
+
+  bool operator==(const PreviewView&) const = default;
+};
+
 /// The Render dock: a progressive preview that follows edits, and final renders by `bpt`, which are jobs in a
 /// queue.
 class RenderPanel : public QWidget {
@@ -37,6 +45,10 @@ class RenderPanel : public QWidget {
   /// Sets the view of previews, which is more precise than the options' camera. It applies from the next
   /// change of the options until they have another camera.
   void set_view(const transport::View& view) { view_ = view; }
+
+  /// Shows the preview in a 3D view: it is started, and follows that view and the edits until it is stopped.
+  /// Nothing ends that, and the preview.
+  void set_preview_view(const std::optional<PreviewView>& view);
 
   Preview& preview() { return preview_; }
   FinalRender& final_render() { return final_; }
@@ -69,6 +81,9 @@ class RenderPanel : public QWidget {
   void list_preview(job::PreviewState state);
   void toggle_preview();
   void restart_preview();
+  void start_preview();
+  void follow();
+  options::RenderOptions preview_options() const;
   void render();
   void begin(Job& job, const FinalRenderRequest& request);
   void end_job();
@@ -89,8 +104,11 @@ class RenderPanel : public QWidget {
   QPointer<Job> preview_job_;  ///< the preview while it renders
   OpDocument& options_;
   std::optional<transport::View> view_;
-  QString image_path_;          ///< of the shown image; empty for the preview
-  bool resumes_after_ = false;  ///< whether the preview was paused for a render
+  std::optional<PreviewView> preview_view_;
+  bool follows_ = false;                      ///< whether the preview of a view follows edits
+  options::RenderOptions previewed_options_;  ///< of the last preview
+  QString image_path_;                        ///< of the shown image; empty for the preview
+  bool resumes_after_ = false;                ///< whether the preview was paused for a render
 
   QAction* preview_action_;
   QAction* render_action_;

@@ -41,6 +41,7 @@
 #include "editor/window/pages.h"
 #include "editor/window/recovery_controller.h"
 #include "editor/window/render_controller.h"
+#include "editor/window/rendered_mode.h"
 #include "editor/window/selection_actions.h"
 #include "editor/window/status_line.h"
 #include "editor/window/view_actions.h"
@@ -68,7 +69,8 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   render_controller_ = new RenderController(document_, *view_, *render_, *cameras_, *this);
   view_controller_ = new ViewController(document_, catalogue_, *view_, *render_controller_, this);
   brdf_controller_ = new BrdfController(document_, *brdf_editor_, this);
-  view_actions_ = new ViewActions(*view_, *this);
+  view_actions_ = new ViewActions(*view_, *this, true);
+  rendered_mode_ = new RenderedMode(*view_, *render_, *this);
   selection_actions_ = new SelectionActions(document_, *view_, *this);
   object_actions_ = new ObjectActions(document_, *view_, *this);
   material_actions_ = new MaterialActions(document_, *this);

@@ -25,6 +25,7 @@
 #include "editor/window/mesh_actions.h"
 #include "editor/window/object_actions.h"
 #include "editor/window/render_controller.h"
+#include "editor/window/rendered_mode.h"
 #include "editor/window/selection_actions.h"
 #include "editor/window/shortcut_list.h"
 #include "editor/window/tools.h"
@@ -61,6 +62,8 @@ void MainWindow::make_menus() {
   make_scene_menu();
   QMenu* render = add_menu(*menuBar(), tr("&Render"));
   render->addActions({render_->preview_action(), render_->render_action(), render_->stop_action()});
+  render->addSeparator();
+  rendered_mode_->fill(*render);
   render->addSeparator();
   render->addAction(render_->options_action());
   image_menu_ = add_menu(*menuBar(), tr("&Image"));
