@@ -319,7 +319,8 @@ void RenderPanel::restart_preview() {
   show_status(tr("Preview"));
   previewed_options_ = preview_options();
   preview_.restart({document_.scene(), document_.path().toStdString(), previewed_options_,
-                    preview_view_ ? std::optional(preview_view_->camera) : view_});
+                    preview_view_ ? std::optional(preview_view_->camera) : view_,
+                    preview_view_ && preview_view_->denoises});
   update_actions();
 }
 

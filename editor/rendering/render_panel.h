@@ -28,6 +28,7 @@ class RenderSettingsRow;
 struct PreviewView {
   QSize size;  ///< device pixels
   transport::View camera;
+  bool denoises = false;
 
   bool operator==(const PreviewView&) const = default;
 };

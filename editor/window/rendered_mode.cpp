@@ -64,9 +64,15 @@ void RenderedMode::make_actions(QWidget& window) {
                   QKeySequence("Ctrl+Alt+W"),
                   tr("Show the mode Rendered only in a rectangle that is dragged; Return takes the middle")},
                  false, [this](bool is_wanted) { choose_region(is_wanted); });
+  denoise_ = new_switch(window,
+                        {tr("&Denoise the view"),
+                         {},
+                         QKeySequence("Ctrl+Alt+N"),
+                         tr("Smooth the noise of the mode Rendered; renders to files are never denoised")},
+                        false, [this](bool) { follow_view(); });
 }
 
-void RenderedMode::fill(QMenu& menu) { menu.addAction(limit_); }
+void RenderedMode::fill(QMenu& menu) { menu.addActions({limit_, denoise_}); }
 
 bool RenderedMode::is_on() const { return view_.mode() == DisplayMode::Rendered; }
 
@@ -74,7 +80,8 @@ void RenderedMode::follow_view() {
   if (is_on() && !view_.camera().is_orthographic() && view_.isVisible()) {
     const double ratio = view_.devicePixelRatioF();
     const QSize size(qRound(view_.width() * ratio), qRound(view_.height() * ratio));
-    panel_.set_preview_view(PreviewView{size.expandedTo({1, 1}), view_.camera().view()});
+    panel_.set_preview_view(
+        PreviewView{size.expandedTo({1, 1}), view_.camera().view(), denoise_->isChecked()});
   } else {
     panel_.set_preview_view({});
     latest_.reset();
@@ -113,9 +120,11 @@ void RenderedMode::show_note() {
   if (view_.camera().is_orthographic()) return view_.set_note(tr("Rendered: only in perspective (5)"));
   const Preview& preview = panel_.preview();
   const QString percent = tr("%1 %").arg(100 * done_, 0, 'f', 0);
-  view_.set_note(!preview.is_on()      ? tr("Rendered: stopped")
+  QString note = !preview.is_on()      ? tr("Rendered: stopped")
                  : preview.is_paused() ? tr("Rendered: paused") + " · " + percent
-                                       : tr("Rendered") + " · " + percent);
+                                       : tr("Rendered") + " · " + percent;
+  if (denoise_->isChecked()) note += " · " + tr("denoised");
+  view_.set_note(note);
 }
 
 // The region

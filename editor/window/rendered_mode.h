@@ -58,6 +58,7 @@ class RenderedMode : public QObject {
   SceneView& view_;
   RenderPanel& panel_;
   QAction* limit_ = nullptr;
+  QAction* denoise_ = nullptr;
   std::optional<QRectF> region_;
   bool is_choosing_ = false;           ///< the region
   std::optional<QPointF> pressed_at_;  ///< where the drag of the region began

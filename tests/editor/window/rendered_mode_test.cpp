@@ -133,6 +133,18 @@ TEST_F(Rendered, IsLimitedToARegionThatIsDragged) {
   EXPECT_TRUE(is_at(0.3, 0.4, Qt::red));
 }
 
+TEST_F(Rendered, IsDenoisedAndMarkedOnRequest) {
+  enter();
+  ASSERT_TRUE(has_finished());
+  EXPECT_FALSE(view().note().contains("denoised"));
+  QTest::keyClick(&window_, Qt::Key_N, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_TRUE(view().note().contains("denoised"));
+  ASSERT_TRUE(has_finished());
+  EXPECT_TRUE(is_at(0.3, 0.3, Qt::red)) << "what has no noise stays as it is";
+  leave();
+  EXPECT_EQ(view().note(), "");
+}
+
 TEST_F(Rendered, NeedsPerspective) {
   enter();
   ASSERT_TRUE(is_at(0.3, 0.3, Qt::red));
