@@ -1,6 +1,7 @@
 #include "editor/rendering/render_panel.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHBoxLayout>
@@ -9,9 +10,11 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "editor/appearance/icons.h"
@@ -23,6 +26,7 @@
 #include "editor/jobs/job_list.h"
 #include "editor/rendering/error_curve.h"
 #include "editor/rendering/fitted_image.h"
+#include "editor/rendering/render_dialogs.h"
 #include "editor/rendering/render_history.h"
 #include "editor/rendering/render_settings_row.h"
 #include "renderer/options/op_file.h"
@@ -66,6 +70,12 @@ void RenderPanel::make_actions() {
   };
   preview_action_ = make("preview", tr("Preview"), Qt::Key_F5, &RenderPanel::toggle_preview);
   render_action_ = make("render", tr("Render"), Qt::Key_F6, &RenderPanel::render);
+  cameras_action_ =
+      make("camera", tr("Render &cameras…"), Qt::CTRL | Qt::Key_F6, &RenderPanel::render_cameras);
+  cameras_action_->setToolTip(tr("Queue a render per camera that is chosen"));
+  animation_action_ =
+      make("render", tr("Render &animation…"), Qt::SHIFT | Qt::Key_F6, &RenderPanel::render_animation);
+  animation_action_->setToolTip(tr("Queue a render of a turntable, or of a path through the cameras"));
   stop_action_ = make("stop", tr("Stop"), Qt::SHIFT | Qt::Key_F5, &RenderPanel::stop);
   options_action_ = make("options", tr("Options…"), {}, &RenderPanel::options_requested);
   options_action_->setToolTip(tr("All render options, with their meanings"));
@@ -324,17 +334,56 @@ void RenderPanel::restart_preview() {
   update_actions();
 }
 
-/// Renders the scene and its options as they are now, also if the render is queued.
+FinalRenderRequest RenderPanel::final_request() const {
+  return {document_.scene(), document_.path(), options_.valid_options(), document_.imports(), false};
+}
+
 void RenderPanel::render() {
   settings_->commit();
-  FinalRenderRequest request = {document_.scene(), document_.path(), options_.valid_options(),
-                                document_.imports(), false};
-  const QString image = final_.output_of(request);
-  request.may_overwrite = final_.is_from_other_session(image);
-  if (request.may_overwrite && !may_overwrite(image)) return;
+  queue(final_request());
+}
+
+void RenderPanel::render_cameras() {
+  settings_->commit();
+  const auto names = ask_for_cameras(options_.valid_options(), this);
+  if (!names) return;
+  for (const std::string& name : *names) {
+    FinalRenderRequest request = final_request();
+    request.options.output = final_.output_of(request).toStdString();
+    request.options.camera = name;
+    if (!name.empty()) {
+      const QFileInfo file(QString::fromStdString(request.options.output));
+      // A camera may have any name, a file may not.
+      QString part = QString::fromStdString(name);
+      part.replace(QRegularExpression("[^\\w -]"), "_");
+      request.options.output =
+          file.dir().filePath(file.completeBaseName() + "_" + part + "." + file.suffix()).toStdString();
+    }
+    queue(std::move(request));
+  }
+}
+
+void RenderPanel::render_animation() {
+  settings_->commit();
+  const auto animation = ask_for_animation(options_.valid_options(), this);
+  if (!animation) return;
+  FinalRenderRequest request = final_request();
+  request.options = *animation;
+  queue(std::move(request));
+}
+
+/// Renders the scene and its options as they are now, also if the render is queued.
+void RenderPanel::queue(FinalRenderRequest request) {
+  const QStringList images = final_.images_of(request);
+  const auto other = std::ranges::find_if(
+      images, [this](const QString& image) { return final_.is_from_other_session(image); });
+  request.may_overwrite = other != images.end();
+  if (request.may_overwrite && !may_overwrite(*other)) return;
   keep_op_file();
-  jobs_.add({tr("Render %1").arg(QFileInfo(image).fileName()), RenderQueue,
-             [this, request](Job& job) { begin(job, request); }, [this] { stop(); },
+  const QString name = QFileInfo(images.front()).fileName();
+  const auto more = images.size() - 1;
+  jobs_.add({more > 0 ? tr("Render %1 and %2 more").arg(name).arg(more) : tr("Render %1").arg(name),
+             RenderQueue, [this, request](Job& job) { begin(job, request); }, [this] { stop(); },
              tr("Stop this render and keep its image")});
 }
 

@@ -56,6 +56,8 @@ class RenderPanel : public QWidget {
   // Actions for menus; their shortcuts are those of the window.
   QAction* preview_action() const { return preview_action_; }
   QAction* render_action() const { return render_action_; }
+  QAction* cameras_action() const { return cameras_action_; }
+  QAction* animation_action() const { return animation_action_; }
   QAction* stop_action() const { return stop_action_; }
   QAction* options_action() const { return options_action_; }
 
@@ -86,6 +88,10 @@ class RenderPanel : public QWidget {
   void follow();
   options::RenderOptions preview_options() const;
   void render();
+  void render_cameras();
+  void render_animation();
+  FinalRenderRequest final_request() const;
+  void queue(FinalRenderRequest request);
   void begin(Job& job, const FinalRenderRequest& request);
   void end_job();
   void stop();
@@ -113,6 +119,8 @@ class RenderPanel : public QWidget {
 
   QAction* preview_action_;
   QAction* render_action_;
+  QAction* cameras_action_;
+  QAction* animation_action_;
   QAction* stop_action_;
   QAction* options_action_;
   RenderSettingsRow* settings_;

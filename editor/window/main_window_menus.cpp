@@ -61,7 +61,9 @@ void MainWindow::make_menus() {
   object_actions_->fill(*add_menu(*menuBar(), tr("Ob&ject")));
   make_scene_menu();
   QMenu* render = add_menu(*menuBar(), tr("&Render"));
-  render->addActions({render_->preview_action(), render_->render_action(), render_->stop_action()});
+  render->addActions({render_->preview_action(), render_->render_action(), render_->cameras_action(),
+                      render_->animation_action(), render_->stop_action()});
+  render->addSeparator();
   render->addSeparator();
   rendered_mode_->fill(*render);
   render->addSeparator();
