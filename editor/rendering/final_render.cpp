@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QtConcurrent>
+#include <algorithm>
 #include <utility>
 
 #include <unistd.h>
@@ -37,6 +38,21 @@ QString FinalRender::output_of(const FinalRenderRequest& request) const {
   return QDir(scene.absolutePath()).filePath(scene.completeBaseName() + ".exr");
 }
 
+QStringList FinalRender::images_of(const FinalRenderRequest& request) const {
+  const QString output = output_of(request);
+  const options::RenderOptions& now = request.options;
+  if (now.frames <= 1) return {output};
+  const QFileInfo file(output);
+  QStringList images;
+  for (int frame = std::max(1, now.frame); frame <= (now.frame > 0 ? now.frame : now.frames); ++frame) {
+    images << file.dir().filePath(QString("%1_%2.%3")
+                                      .arg(file.completeBaseName())
+                                      .arg(frame, 4, 10, QLatin1Char('0'))
+                                      .arg(file.suffix()));
+  }
+  return images;
+}
+
 bool FinalRender::is_from_other_session(const QString& output) const {
   return QFileInfo::exists(output) && !rendered_.contains(output);
 }
@@ -53,15 +69,20 @@ bool FinalRender::lock_output() {
 void FinalRender::start(FinalRenderRequest request) {
   if (is_running_) return emit failed(tr("a render is already running: stop it first"));
   if (const QString why = process_.why_missing(); !why.isEmpty()) return emit failed(why);
-  output_ = output_of(request);
+  const QString output = output_of(request);
+  images_ = images_of(request);
+  done_images_ = 0;
+  output_ = images_.front();
   request.options = with_absolute_paths(std::move(request.options), request.path);
   const std::string& environment = request.options.environment;
   if (!environment.empty() && grf::canonical_path(environment) == grf::canonical_path(output_.toStdString()))
     return emit failed(
         tr("the output %1 is the scene's environment map: choose another output").arg(output_));
-  if (!request.may_overwrite && is_from_other_session(output_))
+  for (const QString& image : images_) {
+    if (request.may_overwrite || !is_from_other_session(image)) continue;
     return emit failed(
-        tr("%1 exists and was not rendered in this session: choose another output").arg(output_));
+        tr("%1 exists and was not rendered in this session: choose another output").arg(image));
+  }
   if (!lock_output())
     return emit failed(
         tr("another render is writing %1: wait for it, or choose another output").arg(output_));
@@ -69,7 +90,7 @@ void FinalRender::start(FinalRenderRequest request) {
   is_stopped_ = false;
   summary_.reset();
   const QString base = folder_.filePath(QString("render%1").arg(++number_));
-  request.options.output = output_.toStdString();
+  request.options.output = output.toStdString();
   request.options.scene = (base + ".grf").toStdString();
   request.options.shows_window = false;
   if (!display_.isEmpty()) request.options.display_server = display_.toStdString();
@@ -99,10 +120,16 @@ void FinalRender::show(const QString& name, const std::shared_ptr<const transpor
 }
 
 void FinalRender::read(const QByteArray& line) {
-  if (const auto report = render_report_of(line)) {
+  if (auto report = render_report_of(line)) {
+    if (images_.size() > 1) {
+      report->done = (done_images_ + report->done) / static_cast<double>(images_.size());
+      report->seconds_left.reset();  // it is that of the frame
+    }
     emit progressed(*report);
   } else if (const auto summary = render_summary_of(line)) {
     summary_ = summary;
+    rendered_.insert(output_);
+    if (++done_images_ < images_.size()) output_ = images_[done_images_];
   }
 }
 
@@ -112,7 +139,7 @@ void FinalRender::end(const RendererEnd& end) {
     return give_up(end.is_interrupted ? tr("stopped before the first image")
                                       : tr("the renderer wrote no image"));
   }
-  rendered_.insert(output_);
+  output_ = images_[done_images_ - 1];
   FinalRenderResult result;
   result.image = output_;
   result.summary = *summary_;

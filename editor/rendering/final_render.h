@@ -30,7 +30,7 @@ struct FinalRenderRequest {
 
 /// The result of a final render.
 struct FinalRenderResult {
-  QString image;  ///< path
+  QString image;  ///< path; of an animation, that of the last frame
   QString copy;   ///< path of a copy that later renders do not overwrite, until this session ends
   RenderSummary summary;
   bool is_stopped = false;  ///< before it had all samples or reached its target error
@@ -51,6 +51,8 @@ class FinalRender : public QObject {
   /// The output path: that of the options; else beside the scene, under its name with .exr; else in a
   /// temporary folder.
   QString output_of(const FinalRenderRequest& request) const;
+  /// The images that a render writes: the output, or one per frame of an animation, as `bpt` names them.
+  QStringList images_of(const FinalRenderRequest& request) const;
   /// Whether the output exists and was not rendered in this session.
   bool is_from_other_session(const QString& output) const;
   /// Renders to the request's output. `failed` reports why it cannot start.
@@ -58,6 +60,7 @@ class FinalRender : public QObject {
   /// Stops the render; the image is kept and marked as stopped.
   void stop();
   bool is_running() const { return is_running_; }
+  /// The image that is rendered: of an animation, the current frame.
   const QString& output() const { return output_; }
 
   /// Shows the image rendered so far if it has the announced name; images of other programs are ignored.
@@ -102,6 +105,8 @@ class FinalRender : public QObject {
   bool is_running_ = false;
   bool is_stopped_ = false;
   QString output_;
+  QStringList images_;  ///< of the current render
+  int done_images_ = 0;
   QSet<QString> rendered_;  ///< images rendered in this session
   std::unique_ptr<QLockFile> lock_;
   QFutureWatcher<Files> writing_;

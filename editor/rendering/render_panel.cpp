@@ -1,6 +1,7 @@
 #include "editor/rendering/render_panel.h"
 
 #include <QAction>
+#include <QDir>
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHBoxLayout>
@@ -9,9 +10,11 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "editor/appearance/icons.h"
@@ -23,6 +26,7 @@
 #include "editor/jobs/job_list.h"
 #include "editor/rendering/error_curve.h"
 #include "editor/rendering/fitted_image.h"
+#include "editor/rendering/render_dialogs.h"
 #include "editor/rendering/render_history.h"
 #include "editor/rendering/render_settings_row.h"
 #include "renderer/options/op_file.h"
@@ -45,11 +49,8 @@ RenderPanel::RenderPanel(Document& document, JobList& jobs, const QString& progr
   lay_out();
   connect_preview();
   connect_final();
-  const auto follow_scene = [this] {
-    if (preview_.is_on()) restart_preview();
-  };
-  connect(&document_, &Document::changed, this, follow_scene);
-  connect(&document_, &Document::path_changed, this, follow_scene);
+  connect(&document_, &Document::changed, this, &RenderPanel::follow);
+  connect(&document_, &Document::path_changed, this, &RenderPanel::follow);
   connect(&options_, &OpDocument::changed, this, &RenderPanel::show_options);
   connect(&options_, &OpDocument::path_changed, this,
           [this] { log(QString::fromStdString(options_.diagnostics().to_text())); });
@@ -69,6 +70,12 @@ void RenderPanel::make_actions() {
   };
   preview_action_ = make("preview", tr("Preview"), Qt::Key_F5, &RenderPanel::toggle_preview);
   render_action_ = make("render", tr("Render"), Qt::Key_F6, &RenderPanel::render);
+  cameras_action_ =
+      make("camera", tr("Render &cameras…"), Qt::CTRL | Qt::Key_F6, &RenderPanel::render_cameras);
+  cameras_action_->setToolTip(tr("Queue a render per camera that is chosen"));
+  animation_action_ =
+      make("render", tr("Render &animation…"), Qt::SHIFT | Qt::Key_F6, &RenderPanel::render_animation);
+  animation_action_->setToolTip(tr("Queue a render of a turntable, or of a path through the cameras"));
   stop_action_ = make("stop", tr("Stop"), Qt::SHIFT | Qt::Key_F5, &RenderPanel::stop);
   options_action_ = make("options", tr("Options…"), {}, &RenderPanel::options_requested);
   options_action_->setToolTip(tr("All render options, with their meanings"));
@@ -157,8 +164,10 @@ void RenderPanel::connect_preview() {
   connect(&preview_, &Preview::image_changed, this,
           [this](const auto& image, const transport::RenderProgress& progress) {
             if (final_.is_running()) return;
-            image_path_.clear();
-            image_->set_image(image);
+            if (!preview_view_) {  // which shows it itself
+              image_path_.clear();
+              image_->set_image(image);
+            }
             if (progress.estimated_error && progress.done > 0) {
               curve_->add(progress.seconds, *progress.estimated_error);
             }
@@ -210,6 +219,7 @@ void RenderPanel::connect_final() {
     show_status(tr("Render failed: %1").arg(why.section('\n', 0, 0)));
     update_actions();
     if (std::exchange(resumes_after_, false)) preview_.resume();
+    if (!preview_.is_on()) follow();
     end_job();
   });
 }
@@ -225,7 +235,12 @@ void RenderPanel::finish(const FinalRenderResult& result) {
   show_status(text);
   log(text);
   update_actions();
-  resumes_after_ = false;  // preview images would hide this one
+  const bool was_paused = std::exchange(resumes_after_, false);
+  if (preview_view_ && was_paused) {
+    preview_.resume();
+  } else if (!preview_.is_on()) {
+    follow();  // in the dock, preview images would hide this one
+  }
   end_job();
 }
 
@@ -237,7 +252,7 @@ void RenderPanel::show_options() {
   if (!is_from_there) view_.reset();
   settings_->set_options(now);
   curve_->set_target(now.target_error);
-  if (preview_.is_on()) restart_preview();
+  if (!preview_view_ || preview_options() != previewed_options_) follow();
 }
 
 /// Lists the preview among the jobs while it renders. An edit restarts its progress.
@@ -247,7 +262,11 @@ void RenderPanel::list_preview(PreviewState state) {
     if (const QPointer<Job> job = std::exchange(preview_job_, nullptr)) job->end();
   } else if (!preview_job_) {
     jobs_.add({tr("Preview"), PreviewQueue, [this](Job& job) { preview_job_ = &job; },
-               [this] { preview_.stop(); }, tr("Stop the preview")});
+               [this] {
+                 follows_ = false;
+                 preview_.stop();
+               },
+               tr("Stop the preview")});
   } else if (state == PreviewState::Preparing) {
     preview_job_->show_progress(-1);
   }
@@ -256,8 +275,7 @@ void RenderPanel::list_preview(PreviewState state) {
 void RenderPanel::toggle_preview() {
   settings_->commit();  // clicking a button does not take the focus
   if (!preview_.is_on()) {
-    emit preview_starting();
-    return restart_preview();
+    return start_preview();
   }
   if (preview_.is_paused()) {
     preview_.resume();
@@ -278,6 +296,42 @@ RenderOptions RenderPanel::options_with_threads() const {
   return result;
 }
 
+void RenderPanel::start_preview() {
+  emit preview_starting();
+  follows_ = preview_view_.has_value();
+  restart_preview();
+}
+
+void RenderPanel::set_preview_view(const std::optional<PreviewView>& view) {
+  if (view == preview_view_) return;
+  const bool is_new = !preview_view_;
+  preview_view_ = view;
+  if (!view) {
+    follows_ = false;
+    return preview_.stop();
+  }
+  is_new ? start_preview() : follow();
+}
+
+/// Restarts a preview after a change. In a view, it is also tried again once it has failed.
+void RenderPanel::follow() {
+  if (preview_.is_on() || follows_) restart_preview();
+}
+
+/// The options of the preview. In a view, those that it replaces are left out, so that it does not restart
+/// when only these change.
+RenderOptions RenderPanel::preview_options() const {
+  RenderOptions now = options_with_threads();
+  if (!preview_view_) return now;
+  now.size = {preview_view_->size.width(), preview_view_->size.height()};
+  now.eye.reset();
+  now.target.reset();
+  now.up = RenderOptions().up;
+  now.field_of_view = RenderOptions().field_of_view;
+  now.camera.clear();
+  return now;
+}
+
 void RenderPanel::restart_preview() {
   if (final_.is_running()) {  // the render has priority
     resumes_after_ = false;
@@ -285,21 +339,63 @@ void RenderPanel::restart_preview() {
   }
   curve_->clear();
   show_status(tr("Preview"));
-  preview_.restart({document_.scene(), document_.path().toStdString(), options_with_threads(), view_});
+  previewed_options_ = preview_options();
+  preview_.restart({document_.scene(), document_.path().toStdString(), previewed_options_,
+                    preview_view_ ? std::optional(preview_view_->camera) : view_,
+                    preview_view_ && preview_view_->denoises});
   update_actions();
 }
 
-/// Renders the scene and its options as they are now, also if the render is queued.
+FinalRenderRequest RenderPanel::final_request() const {
+  return {document_.scene(), document_.path(), options_with_threads(), document_.imports(), false};
+}
+
 void RenderPanel::render() {
   settings_->commit();
-  FinalRenderRequest request = {document_.scene(), document_.path(), options_with_threads(),
-                                document_.imports(), false};
-  const QString image = final_.output_of(request);
-  request.may_overwrite = final_.is_from_other_session(image);
-  if (request.may_overwrite && !may_overwrite(image)) return;
+  queue(final_request());
+}
+
+void RenderPanel::render_cameras() {
+  settings_->commit();
+  const auto names = ask_for_cameras(options_.valid_options(), this);
+  if (!names) return;
+  for (const std::string& name : *names) {
+    FinalRenderRequest request = final_request();
+    request.options.output = final_.output_of(request).toStdString();
+    request.options.camera = name;
+    if (!name.empty()) {
+      const QFileInfo file(QString::fromStdString(request.options.output));
+      // A camera may have any name, a file may not.
+      QString part = QString::fromStdString(name);
+      part.replace(QRegularExpression("[^\\w -]"), "_");
+      request.options.output =
+          file.dir().filePath(file.completeBaseName() + "_" + part + "." + file.suffix()).toStdString();
+    }
+    queue(std::move(request));
+  }
+}
+
+void RenderPanel::render_animation() {
+  settings_->commit();
+  const auto animation = ask_for_animation(options_.valid_options(), this);
+  if (!animation) return;
+  FinalRenderRequest request = final_request();
+  request.options = *animation;
+  queue(std::move(request));
+}
+
+/// Renders the scene and its options as they are now, also if the render is queued.
+void RenderPanel::queue(FinalRenderRequest request) {
+  const QStringList images = final_.images_of(request);
+  const auto other = std::ranges::find_if(
+      images, [this](const QString& image) { return final_.is_from_other_session(image); });
+  request.may_overwrite = other != images.end();
+  if (request.may_overwrite && !may_overwrite(*other)) return;
   keep_op_file();
-  jobs_.add({tr("Render %1").arg(QFileInfo(image).fileName()), RenderQueue,
-             [this, request](Job& job) { begin(job, request); }, [this] { stop(); },
+  const QString name = QFileInfo(images.front()).fileName();
+  const auto more = images.size() - 1;
+  jobs_.add({more > 0 ? tr("Render %1 and %2 more").arg(name).arg(more) : tr("Render %1").arg(name),
+             RenderQueue, [this, request](Job& job) { begin(job, request); }, [this] { stop(); },
              tr("Stop this render and keep its image")});
 }
 
@@ -329,6 +425,7 @@ void RenderPanel::stop() {
     show_status(tr("Stopping: the image is kept"));
     return final_.stop();
   }
+  follows_ = false;
   preview_.stop();
 }
 

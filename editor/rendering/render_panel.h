@@ -24,6 +24,15 @@ class OpDocument;
 class RenderHistory;
 class RenderSettingsRow;
 
+/// What a preview in a 3D view shows, in place of the size and the camera of the options.
+struct PreviewView {
+  QSize size;  ///< device pixels
+  transport::View camera;
+  bool denoises = false;
+
+  bool operator==(const PreviewView&) const = default;
+};
+
 /// The Render dock: a progressive preview that follows edits, and final renders by `bpt`, which are jobs in a
 /// queue.
 class RenderPanel : public QWidget {
@@ -41,12 +50,17 @@ class RenderPanel : public QWidget {
   /// Sets the number of threads where the render options leave it open; 0: one per core. A running preview
   /// restarts.
   void set_threads(int threads);
+  /// Shows the preview in a 3D view: it is started, and follows that view and the edits until it is stopped.
+  /// Nothing ends that, and the preview.
+  void set_preview_view(const std::optional<PreviewView>& view);
 
   Preview& preview() { return preview_; }
   FinalRender& final_render() { return final_; }
   // Actions for menus; their shortcuts are those of the window.
   QAction* preview_action() const { return preview_action_; }
   QAction* render_action() const { return render_action_; }
+  QAction* cameras_action() const { return cameras_action_; }
+  QAction* animation_action() const { return animation_action_; }
   QAction* stop_action() const { return stop_action_; }
   QAction* options_action() const { return options_action_; }
 
@@ -74,7 +88,14 @@ class RenderPanel : public QWidget {
   void toggle_preview();
   void restart_preview();
   options::RenderOptions options_with_threads() const;
+  void start_preview();
+  void follow();
+  options::RenderOptions preview_options() const;
   void render();
+  void render_cameras();
+  void render_animation();
+  FinalRenderRequest final_request() const;
+  void queue(FinalRenderRequest request);
   void begin(Job& job, const FinalRenderRequest& request);
   void end_job();
   void stop();
@@ -95,11 +116,16 @@ class RenderPanel : public QWidget {
   OpDocument& options_;
   std::optional<transport::View> view_;
   int threads_ = 0;
-  QString image_path_;          ///< of the shown image; empty for the preview
-  bool resumes_after_ = false;  ///< whether the preview was paused for a render
+  std::optional<PreviewView> preview_view_;
+  bool follows_ = false;                      ///< whether the preview of a view follows edits
+  options::RenderOptions previewed_options_;  ///< of the last preview
+  QString image_path_;                        ///< of the shown image; empty for the preview
+  bool resumes_after_ = false;                ///< whether the preview was paused for a render
 
   QAction* preview_action_;
   QAction* render_action_;
+  QAction* cameras_action_;
+  QAction* animation_action_;
   QAction* stop_action_;
   QAction* options_action_;
   RenderSettingsRow* settings_;

@@ -12,8 +12,19 @@
 
 namespace editor {
 
-/// The display modes of the 3D view.
-enum class DisplayMode { Points, Wireframe, Solid, SolidEdges, Textured, VertexColours, Irradiance, Brdf };
+/// The display modes of the 3D view. Rendered is drawn as Solid, with an image of the renderer in its place
+/// as far as there is one.
+enum class DisplayMode {
+  Points,
+  Wireframe,
+  Solid,
+  SolidEdges,
+  Textured,
+  VertexColours,
+  Irradiance,
+  Brdf,
+  Rendered
+};
 
 /// Display mode and colours of a view.
 struct ViewStyle {
@@ -100,9 +111,10 @@ class FrameRenderer {
 
 /// Sets the texture units of the tables in a program that starts with g_buffer.glsl.
 void set_shader_units(QOpenGLShaderProgram& program);
-/// The first texture units of G-buffers, of tables, and of an image.
+/// The first texture units of G-buffers, of tables, of an image, and of a rendered image.
 constexpr GLuint GBufferUnit = 0;
 constexpr GLuint TablesUnit = 7;
 constexpr GLuint ImageUnit = 11;
+constexpr GLuint RenderedUnit = 12;
 
 }  // namespace editor

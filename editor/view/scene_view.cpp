@@ -42,6 +42,7 @@ SceneView::SceneView(QWidget* parent, const GraphicsDriver& driver, const ImageP
   connect(&hover_timer_, &QTimer::timeout, this, &SceneView::tell_hovered);
   connect(&navigation_, &CameraNavigation::moved, this, [this] {
     draw();
+    emit view_changed();
     emit camera_moved();
   });
   connect(&geometry_, &GeometryStore::changed, this, &SceneView::draw);
@@ -90,6 +91,7 @@ void SceneView::set_selection(const FaceSelection& selection) {
 void SceneView::set_camera(const ViewCamera& camera) {
   navigation_.set_camera(camera);
   draw();
+  emit view_changed();
 }
 
 void SceneView::frame(const grf::Box3d& box) {
@@ -106,6 +108,7 @@ void SceneView::frame_selection() {
 void SceneView::set_mode(DisplayMode mode) {
   style_.mode = mode;
   draw();
+  emit view_changed();
 }
 
 void SceneView::set_vertex_normals(bool are_shown) {
@@ -127,6 +130,18 @@ void SceneView::set_tool_painter(const ToolPainter& painter) {
   const bool hides_gizmo = static_cast<bool>(painter) != static_cast<bool>(tool_painter_);
   tool_painter_ = painter;
   if (hides_gizmo) draw();
+  update();
+}
+
+void SceneView::set_rendered(std::shared_ptr<const QImage> image) {
+  if (image == rendered_) return;
+  rendered_ = std::move(image);
+  draw();
+}
+
+void SceneView::set_note(const QString& note) {
+  if (note == note_) return;
+  note_ = note;
   update();
 }
 
@@ -210,6 +225,7 @@ ViewState SceneView::state() const {
   state.textures = textures_.textures();
   state.request = request();
   state.size = picture_size();
+  state.rendered = rendered_;
   state.screen = {window_size(), devicePixelRatioF()};
   state.colours = view_colours(palette());
   if (has_grid_) add_grid(ground_grid(objects_->bounds), camera(), height(), palette(), state.overlay);
@@ -236,7 +252,20 @@ void SceneView::paintEvent(QPaintEvent*) {
     // The window may have moved to a screen with another pixel ratio.
     if (!shown_.image.isNull()) draw();
   }
+  paint_note(painter);
   paint_gesture(painter);
+}
+
+void SceneView::paint_note(QPainter& painter) const {
+  if (note_.isEmpty()) return;
+  const ThemeColours colours = colours_of(theme_of(palette()));
+  QRect frame = painter.fontMetrics().boundingRect(note_).adjusted(-Grid, -Grid / 2, Grid, Grid / 2);
+  frame.moveTopRight({width() - Grid, Grid});
+  QColor ground = colours.window;
+  ground.setAlphaF(0.85F);
+  painter.fillRect(frame, ground);
+  painter.setPen(colours.text);
+  painter.drawText(frame, Qt::AlignCenter, note_);
 }
 
 void SceneView::paint_gesture(QPainter& painter) const {
@@ -251,7 +280,11 @@ void SceneView::paint_gesture(QPainter& painter) const {
   }
 }
 
-void SceneView::resizeEvent(QResizeEvent*) { draw(); }
+void SceneView::resizeEvent(QResizeEvent*) {
+  draw();
+  emit view_changed();
+}
+
 void SceneView::showEvent(QShowEvent*) { draw(); }
 
 void SceneView::changeEvent(QEvent* event) {

@@ -85,6 +85,13 @@ class SceneView : public QWidget {
   using ToolPainter = std::function<void(QPainter& painter)>;
   void set_tool_painter(const ToolPainter& painter);
   bool has_region_tool() const { return static_cast<bool>(tool_painter_); }
+  /// Shows an image of the renderer in place of the faces where it is opaque, stretched to the view, below
+  /// the selection, lines and handles; null ends that.
+  void set_rendered(std::shared_ptr<const QImage> image);
+  const std::shared_ptr<const QImage>& rendered() const { return rendered_; }
+  /// Shows a text in the upper right corner; an empty one ends that.
+  void set_note(const QString& note);
+  const QString& note() const { return note_; }
   /// Makes regions select occluded faces, too.
   void set_select_through(bool selects_through) { selects_through_ = selects_through; }
   /// Draws the border and the thirds of an image of this aspect, width over height; none for no aspect.
@@ -125,6 +132,8 @@ class SceneView : public QWidget {
   /// Emitted once a region is evaluated.
   void region_selected();
   void camera_moved();
+  /// Emitted when camera, size or display mode of the view change, whatever the cause.
+  void view_changed();
   /// Emitted once a dragged object is released, with its new SceneHandle::position. An AreaLight's new corner
   /// is `position * to_world.inverse()`.
   void object_moved(const editor::HandleId& object, const grf::Vec3d& position);
@@ -169,6 +178,7 @@ class SceneView : public QWidget {
   void place_handles();
   void frame(const grf::Box3d& box);
   void paint_gesture(QPainter& painter) const;
+  void paint_note(QPainter& painter) const;
 
   // Picking
   grf::Vec2d place_at(const QPointF& pixel) const;
@@ -193,6 +203,8 @@ class SceneView : public QWidget {
   HandleGesture handles_;
   GizmoLines gizmo_;
   ToolPainter tool_painter_;
+  std::shared_ptr<const QImage> rendered_;
+  QString note_;
   RegionGesture region_;
   ViewStyle style_;  // without colours
   bool has_grid_ = true;

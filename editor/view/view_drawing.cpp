@@ -62,7 +62,9 @@ void ViewDrawing::show(ViewState state) {
     restart();
   }
   if (!is_same(state.request, state_.request)) restart();
+  const bool has_other_image = state.rendered != state_.rendered;
   state_ = std::move(state);
+  if (has_other_image) load_rendered();
   if (passes_ == 0 && !has_quick_) prepare();
 }
 
@@ -233,6 +235,24 @@ QImage ViewDrawing::image() {
   return image;
 }
 
+void ViewDrawing::load_rendered() {
+  rendered_.reset();
+  if (state_.rendered == nullptr) return;
+  QImage image = state_.rendered->convertToFormat(QImage::Format_ARGB32_Premultiplied);
+  const int most = limits_.texture_side;
+  if (std::max(image.width(), image.height()) > most) image = image.scaled(most, most, Qt::KeepAspectRatio);
+  rendered_ = std::make_unique<GlObject>(gl_, GlKind::Texture);
+  gl_.glActiveTexture(GL_TEXTURE0 + RenderedUnit);
+  gl_.glBindTexture(GL_TEXTURE_2D, rendered_->name());
+  gl_.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl_.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, image.width(), image.height(), 0, GL_BGRA,
+                   GL_UNSIGNED_INT_8_8_8_8_REV, image.constBits());
+  gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
 /// Composes the current image for the screen.
 void ViewDrawing::compose() {
   const GBuffer& buffer = is_full() ? *full_ : *draft_;
@@ -256,12 +276,18 @@ void ViewDrawing::compose() {
       "to_picture", QPointF(size.width() / state_.size.width(), size.height() / state_.size.height()));
   compose_->setUniformValue("background_top", rgb(state_.colours.background_top));
   compose_->setUniformValue("background_bottom", rgb(state_.colours.background_bottom));
-  compose_->setUniformValue("height", static_cast<float>(state_.size.height()));
+  compose_->setUniformValue("size", QPointF(state_.size.width(), state_.size.height()));
+  compose_->setUniformValue("rendered", static_cast<GLint>(RenderedUnit));
+  compose_->setUniformValue("has_rendered", rendered_ != nullptr);
   compose_->setUniformValue("accent", rgb(state_.colours.accent));
   compose_->setUniformValue("fill", AccentFill);
   if (is_full()) {
     gl_.glActiveTexture(GL_TEXTURE0 + ImageUnit);
     gl_.glBindTexture(GL_TEXTURE_2D, sum_->name());
+  }
+  if (rendered_) {
+    gl_.glActiveTexture(GL_TEXTURE0 + RenderedUnit);
+    gl_.glBindTexture(GL_TEXTURE_2D, rendered_->name());
   }
   gl_.glBindVertexArray(no_vertices_.name());
   gl_.glDrawArrays(GL_TRIANGLES, 0, 3);

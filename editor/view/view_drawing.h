@@ -63,6 +63,7 @@ class ViewDrawing {
   void begin_pass();
   void accumulate();
   void compose();
+  void load_rendered();
 
   Gl& gl_;
   const GraphicsLimits limits_;
@@ -75,6 +76,7 @@ class ViewDrawing {
   std::unique_ptr<GBuffer> full_, more_, draft_;
   std::unique_ptr<GlObject> sum_, sum_target_;
   std::unique_ptr<QOpenGLFramebufferObject> screen_;
+  std::unique_ptr<GlObject> rendered_;  // null: none
   std::vector<FrameRenderer::Step> steps_;
   std::size_t next_step_ = 0;
   int passes_ = 0;

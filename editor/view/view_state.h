@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <QImage>
 #include <QSize>
 #include <cstdint>
 #include <memory>
@@ -29,6 +30,8 @@ struct ViewState {
   std::vector<ReadTexture> textures;
   FrameRequest request;
   QSize size;  ///< device pixels
+  /// Drawn in place of the faces and the background where it is opaque, stretched to the view; null: none.
+  std::shared_ptr<const QImage> rendered;
   OverlayPainter::Screen screen;
   ViewColours colours;
   std::vector<OverlayLayer> overlay;

@@ -41,6 +41,7 @@
 #include "editor/window/pages.h"
 #include "editor/window/recovery_controller.h"
 #include "editor/window/render_controller.h"
+#include "editor/window/rendered_mode.h"
 #include "editor/window/selection_actions.h"
 #include "editor/window/shortcut_keys.h"
 #include "editor/window/status_line.h"
@@ -69,7 +70,8 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   render_controller_ = new RenderController(document_, *view_, *render_, *cameras_, *this);
   view_controller_ = new ViewController(document_, catalogue_, *view_, *render_controller_, this);
   brdf_controller_ = new BrdfController(document_, *brdf_editor_, this);
-  view_actions_ = new ViewActions(*view_, *this);
+  view_actions_ = new ViewActions(*view_, *this, true);
+  rendered_mode_ = new RenderedMode(*view_, *render_, *this);
   selection_actions_ = new SelectionActions(document_, *view_, *this);
   object_actions_ = new ObjectActions(document_, *view_, *this);
   material_actions_ = new MaterialActions(document_, *this);
@@ -296,7 +298,10 @@ void MainWindow::connect_renders() {
   // Starting a render shows its dock.
   const auto show_render = [this] { Docks::show(render_dock_); };
   connect(render_->preview_action(), &QAction::triggered, this, show_render);
-  connect(render_->render_action(), &QAction::triggered, this, show_render);
+  for (const QAction* action :
+       {render_->render_action(), render_->cameras_action(), render_->animation_action()}) {
+    connect(action, &QAction::triggered, this, show_render);
+  }
   connect(render_, &RenderPanel::preview_starting, this, &MainWindow::light_first_preview);
   connect(render_, &RenderPanel::op_file_differs, this, [this](const QString& path) {
     notice_->show_notice(

@@ -34,6 +34,7 @@ class Pages;
 class RecoveryController;
 class RenderController;
 class RenderPanel;
+class RenderedMode;
 class SceneTree;
 class SceneView;
 class SelectionActions;
@@ -137,6 +138,7 @@ class MainWindow : public QMainWindow {
   ViewController* view_controller_ = nullptr;
   BrdfController* brdf_controller_ = nullptr;
   ViewActions* view_actions_ = nullptr;
+  RenderedMode* rendered_mode_ = nullptr;
   SelectionActions* selection_actions_ = nullptr;
   ObjectActions* object_actions_ = nullptr;
   MaterialActions* material_actions_ = nullptr;

@@ -26,6 +26,7 @@
 #include "editor/window/preferences_dialog.h"
 #include "editor/window/recovery_controller.h"
 #include "editor/window/render_controller.h"
+#include "editor/window/rendered_mode.h"
 #include "editor/window/selection_actions.h"
 #include "editor/window/shortcut_list.h"
 #include "editor/window/tools.h"
@@ -61,7 +62,11 @@ void MainWindow::make_menus() {
   object_actions_->fill(*add_menu(*menuBar(), tr("Ob&ject")));
   make_scene_menu();
   QMenu* render = add_menu(*menuBar(), tr("&Render"));
-  render->addActions({render_->preview_action(), render_->render_action(), render_->stop_action()});
+  render->addActions({render_->preview_action(), render_->render_action(), render_->cameras_action(),
+                      render_->animation_action(), render_->stop_action()});
+  render->addSeparator();
+  render->addSeparator();
+  rendered_mode_->fill(*render);
   render->addSeparator();
   render->addAction(render_->options_action());
   image_menu_ = add_menu(*menuBar(), tr("&Image"));

@@ -35,20 +35,24 @@ constexpr Mode Modes[] = {
      QT_TRANSLATE_NOOP("editor::ViewActions", "The irradiance baked at the vertices")},
     {DisplayMode::Brdf, QT_TRANSLATE_NOOP("editor::ViewActions", "&BRDF"),
      QT_TRANSLATE_NOOP("editor::ViewActions", "Faces shaded with their BRDFs, lit by a headlight and a sky")},
+    {DisplayMode::Rendered, QT_TRANSLATE_NOOP("editor::ViewActions", "Rendere&d"),
+     QT_TRANSLATE_NOOP("editor::ViewActions",
+                       "The renderer's preview, which follows the view and your edits")},
 };
 
 }  // namespace
 
-ViewActions::ViewActions(SceneView& view, QWidget& window)
+ViewActions::ViewActions(SceneView& view, QWidget& window, bool has_renderer)
     : QObject(&window), view_(view), window_(window), modes_(new QActionGroup(this)) {
-  make_modes();
+  make_modes(has_renderer);
   make_overlays();
   make_places();
 }
 
-void ViewActions::make_modes() {
+void ViewActions::make_modes(bool has_renderer) {
   int number = 0;
   for (const Mode& mode : Modes) {
+    if (mode.mode == DisplayMode::Rendered && !has_renderer) continue;
     const QKeySequence keys(Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + number++));
     QAction* action = new_switch(window_, {tr(mode.text), {}, keys, tr(mode.tip)}, mode.mode == view_.mode(),
                                  [this, shown = mode.mode](bool is_on) {

@@ -18,13 +18,14 @@ class ViewActions : public QObject {
   Q_OBJECT
 
  public:
-  ViewActions(SceneView& view, QWidget& window);
+  /// The mode Rendered is only for windows with a renderer.
+  ViewActions(SceneView& view, QWidget& window, bool has_renderer = false);
 
   void fill(QMenu& menu);
   void fill(QToolBar& bar);
 
  private:
-  void make_modes();
+  void make_modes(bool has_renderer);
   void make_overlays();
   void make_places();
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/job/denoise.h"
 #include "renderer/job/preview_stages.h"
 
 namespace job {
@@ -120,6 +121,7 @@ void PreviewRender::show(int number, const PreviewRequest& request) {
   listener_.state(number, PreviewState::Rendering);
   const std::vector<RenderSettings> stages = preview_stages(*settings);
   last_stage_image_ = std::make_shared<const Image>();
+  denoises_ = request.denoises;
   for (std::size_t i = 0; i < stages.size(); ++i) {
     if (!run_stage(number, stages[i], i + 1 == stages.size())) return;
   }
@@ -130,6 +132,7 @@ void PreviewRender::show(int number, const PreviewRequest& request) {
 /// Returns false if the request was replaced.
 bool PreviewRender::run_stage(int number, const RenderSettings& settings, bool is_last) {
   PausedRender paused;
+  guides_.reset();
   while (true) {
     RenderSettings rest = settings;
     if (rest.max_seconds) rest.max_seconds = std::max(0.0, *rest.max_seconds - paused.totals.seconds);
@@ -189,8 +192,28 @@ bool PreviewRender::wait_for_resumption(int number) {
   return !is_replaced(number);
 }
 
+/// The guides are rendered once per stage, with few samples: they are far less noisy than the image.
+Image PreviewRender::denoised_image(int number, const Render& render, const Image& image) {
+  constexpr int GuideSamples = 2;
+  const RenderSettings& settings = render.settings();
+  if (!guides_) {
+    guides_ = transport::feature_layers(scene_.compiled(), settings.view, settings.width, settings.height,
+                                        GuideSamples, settings.seed, settings.threads);
+  }
+  bool has_variance = true;
+  for (int tile = 0; tile < render.film().tile_count(); ++tile) {
+    has_variance = has_variance && render.sample_count_of(tile) > 1;
+  }
+  return denoised(image, render.snapshot(true).variance, has_variance, *guides_, [this, number] {
+    const std::lock_guard lock(lock_);
+    return is_replaced(number);
+  });
+}
+
 void PreviewRender::send_image(int number, const Render& render, bool is_last) {
-  const auto image = std::make_shared<const Image>(completed(render, *last_stage_image_));
+  Image shown = completed(render, *last_stage_image_);
+  if (denoises_) shown = denoised_image(number, render, shown);
+  const auto image = std::make_shared<const Image>(std::move(shown));
   transport::RenderProgress progress = render.progress();
   if (!is_last) progress.done = 0;
   listener_.image(number, image, progress);

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "renderer/job/preview_scene.h"
+#include "renderer/transport/integrators/feature_layers.h"
 
 namespace job {
 
@@ -60,6 +61,7 @@ class PreviewRender {
   StopReason watch(int number, transport::Render& render, bool is_last);
   bool wait_for_resumption(int number);
   void send_image(int number, const transport::Render& render, bool is_last);
+  transport::Image denoised_image(int number, const transport::Render& render, const transport::Image& image);
   bool is_replaced(int number) const { return is_closing_ || number != number_; }
   void replace_locked();
 
@@ -67,6 +69,8 @@ class PreviewRender {
   PreviewScene scene_;
   /// The image of the last finished stage.
   std::shared_ptr<const transport::Image> last_stage_image_;
+  bool denoises_ = false;
+  std::optional<transport::FeatureLayers> guides_;  ///< of the current stage, if it is denoised
 
   std::mutex lock_;  ///< guards the members below
   std::condition_variable changed_;

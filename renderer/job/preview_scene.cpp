@@ -14,7 +14,8 @@ using transport::CompileSettings;
 using transport::RenderSettings;
 
 bool are_same(const PreviewRequest& a, const PreviewRequest& b) {
-  return a.path == b.path && a.options == b.options && a.view == b.view && a.scene == b.scene;
+  return a.path == b.path && a.options == b.options && a.view == b.view && a.denoises == b.denoises &&
+         a.scene == b.scene;
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ struct PreviewRequest {
   std::string path;  ///< of the scene's file, for relative paths; empty: the current folder
   options::RenderOptions options;
   std::optional<transport::View> view;  ///< overrides the camera of the options, but not its lens
+  bool denoises = false;                ///< see `denoised`
 };
 
 /// Reads images as transport::ImageReader does, and cancels when stop is requested.

@@ -41,7 +41,7 @@ const std::vector<PresetTable>& preset_tables() {
         {"silver", "torrance rough=0.2 nreal=0.177 nimag=3.638 ks=(1, 0.98, 0.94) kd=0"},
         {"copper", "torrance rough=0.2 nreal=0.617 nimag=2.63 ks=(1, 0.68, 0.54) kd=0"},
         {"iron", "torrance rough=0.2 nreal=2.485 nimag=3.433 ks=(1, 0.99, 0.97) kd=0"}}},
-      // Cloth with a pile is brighter at grazing angles: a broad lobe with Fresnel's reflectance.
+      // Cloth with a pile has a broad lobe with Fresnel's reflectance over a dark base.
       {"Fabrics", {{"felt", "oren s=0.6 r=0.6"}, {"velvet", "ashikhmin ex=1 ey=1 Rs=0.2 Rd=0.2"}}}};
   return tables;
 }

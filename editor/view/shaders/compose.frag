@@ -4,7 +4,9 @@ uniform float sum_weight;  // 0 shows the image's own colours
 uniform vec2 to_picture;   // image pixels per screen pixel
 uniform vec3 background_top;
 uniform vec3 background_bottom;
-uniform float height;
+uniform sampler2D rendered;  // premultiplied, its first row on top
+uniform bool has_rendered;
+uniform vec2 size;  // of the screen, in pixels
 uniform vec3 accent;
 uniform float fill;  // opacity of the accent on selected faces
 uniform bool has_selection;
@@ -34,8 +36,12 @@ void main() {
   ivec2 place = ivec2(at);
   vec4 shown = sum_weight > 0 ? texelFetch(sum, place, 0) * sum_weight
                               : texture(colours, at / vec2(textureSize(colours, 0)));
-  vec3 background = mix(background_bottom, background_top, gl_FragCoord.y / height);
+  vec3 background = mix(background_bottom, background_top, gl_FragCoord.y / size.y);
   vec3 over = shown.rgb + background * (1 - shown.a);
+  if (has_rendered) {
+    vec4 image = texture(rendered, vec2(gl_FragCoord.x / size.x, 1 - gl_FragCoord.y / size.y));
+    over = image.rgb + over * (1 - image.a);
+  }
   if (has_selection) over = with_selection(over, place);
   colour = vec4(over, 1);
   gl_FragDepth = texelFetch(depths, place, 0).r;

@@ -90,6 +90,25 @@ QPixmap cameras() {
   return stage.picture();
 }
 
+/// The preview in the view, denoised, with a gizmo and selected faces over it.
+QPixmap rendered_view() {
+  Stage stage({1280, 800});
+  stage.open_as_rendered(Samples + "teapot/scene.grf");
+  stage.act("Rotate gizmo");
+  stage.select_patch({0.44, 0.56}, 2);
+  auto& document = stage.window().document().options();
+  options::RenderOptions few = document.valid_options();
+  few.samples = 16;
+  document.follow(few);
+  stage.act("Denoise the view");
+  stage.draw_as(DisplayMode::Rendered);
+  expect(QTest::qWaitFor([&] { return stage.window().view().note().contains("100 %"); }, Minute),
+         "the view was not rendered");
+  stage.settle();
+  QTest::qWait(300);  // the last image is converted
+  return stage.picture();
+}
+
 /// Faces that the brush has painted, and the dialog that selects similar ones.
 QPixmap choosing_faces() {
   Stage stage({1280, 800});
@@ -250,6 +269,7 @@ std::vector<Picture> manual_pictures() {
       {"choosing", choosing_faces},
       {"placing", placing},
       {"cameras", cameras},
+      {"rendered", rendered_view},
       {"surface", [] { return dock_with_models("surface"); }},
       {"brdf_sphere", [] { return brdf_dock(BrdfEditor::View::Sphere); }},
       {"brdf_lobe", [] { return brdf_dock(BrdfEditor::View::Lobe); }},
