@@ -2,6 +2,7 @@
 // split where they come to differ, and the other faces are unchanged.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -17,6 +18,9 @@ struct Subdivision;
 }
 
 namespace editor {
+
+/// The faces of a scene that can be edited synchronously, without a noticeable delay; more need a job.
+inline constexpr std::size_t FewFaces = 20'000;
 
 /// Selected faces of a scene, with the scene's objects.
 struct SelectedFaces {

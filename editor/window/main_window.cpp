@@ -28,6 +28,7 @@
 #include "editor/panels/object_panel.h"
 #include "editor/panels/scene_tree.h"
 #include "editor/panels/surface_panel.h"
+#include "editor/panels/uv_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/bake_controller.h"
@@ -128,6 +129,7 @@ void MainWindow::make_docks() {
   cameras_ = new CameraPanel(document_);
   surface_ = new SurfacePanel(document_, catalogue_);
   brdf_editor_ = new BrdfEditor;
+  uv_ = new UvPanel(document_);
   render_ = new RenderPanel(document_, jobs_);
   messages_ = new MessagePanel(document_, catalogue_);
   QDockWidget* tree = docks_.add({"scene", tr("Scene"), "objects", QKeySequence("Ctrl+1"),
@@ -150,6 +152,9 @@ void MainWindow::make_docks() {
       docks_.add({"brdf", tr("BRDF"), "brdf", QKeySequence("Ctrl+4"),
                   tr("BRDF of the selected faces: parameters such as roughness, lobe, plots and sphere")},
                  Qt::RightDockWidgetArea, brdf_editor_);
+  QDockWidget* uv = docks_.add({"uv", tr("UV"), "grid", QKeySequence("Ctrl+Alt+U"),
+                                tr("Texture coordinates (UVs) of the selected faces, over their image")},
+                               Qt::RightDockWidgetArea, uv_);
   render_dock_ = docks_.add(
       {"render", tr("Render"), "render", QKeySequence("Ctrl+5"), tr("Previews and renders of the scene")},
       Qt::BottomDockWidgetArea, render_);
@@ -172,6 +177,8 @@ void MainWindow::make_docks() {
   tabifyDockWidget(cameras, history);
   lights->raise();
   splitDockWidget(surface, brdf_dock_, Qt::Vertical);
+  tabifyDockWidget(brdf_dock_, uv);
+  brdf_dock_->raise();
   tabifyDockWidget(render_dock_, message_dock_);
   tabifyDockWidget(message_dock_, job_dock_);
   resizeDocks({tree, surface}, {34 * Grid, 46 * Grid}, Qt::Horizontal);
@@ -210,6 +217,12 @@ void MainWindow::connect_panels() {
   connect(&brdf_editor_->sphere(), &LiveSphere::warned, messages_, &MessagePanel::add_warning);
   connect(mesh_actions_, &MeshActions::status_message, this, &MainWindow::show_status);
   connect(mesh_actions_, &MeshActions::failed, this, &MainWindow::fail);
+  connect(uv_, &UvPanel::edit_requested, mesh_actions_,
+          [this](const QString& text, const UvTransform& transform) {
+            mesh_actions_->start(text, document_.selection(), [transform](const SelectedFaces& faces) {
+              return with_transformed_uvs(faces, transform);
+            });
+          });
   connect(material_actions_, &MaterialActions::status_message, this, &MainWindow::show_status);
   connect(material_actions_, &MaterialActions::failed, this, &MainWindow::fail);
   connect(object_actions_, &ObjectActions::surface_requested, this, [this](bool is_along_normal) {

@@ -37,6 +37,7 @@ class SceneView;
 class SelectionActions;
 class StatusLine;
 class SurfacePanel;
+class UvPanel;
 class ViewActions;
 class ViewController;
 struct Tool;
@@ -62,6 +63,7 @@ class MainWindow : public QMainWindow {
   SceneView& view() { return *view_; }
   BrdfEditor& brdf_editor() { return *brdf_editor_; }
   SurfacePanel& surface_panel() { return *surface_; }
+  UvPanel& uv_panel() { return *uv_; }
   SceneTree& scene_tree() { return *tree_; }
   RenderPanel& render_panel() { return *render_; }
   RenderController& render_controller() { return *render_controller_; }
@@ -121,6 +123,7 @@ class MainWindow : public QMainWindow {
   ObjectPanel* object_ = nullptr;
   CameraPanel* cameras_ = nullptr;
   SurfacePanel* surface_ = nullptr;
+  UvPanel* uv_ = nullptr;
   BrdfEditor* brdf_editor_ = nullptr;
   RenderPanel* render_ = nullptr;
   MessagePanel* messages_ = nullptr;

@@ -14,6 +14,7 @@
 #include "editor/controls/actions.h"
 #include "editor/controls/notice_bar.h"
 #include "editor/panels/light_panel.h"
+#include "editor/panels/uv_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_window.h"
 #include "editor/view/scene_view.h"
@@ -112,6 +113,10 @@ void MainWindow::make_scene_menu() {
   menu->addActions(object_actions_->additions());
   menu->addSeparator();
   menu->addActions(mesh_actions_->of_meshes());
+  QMenu* coordinates = menu->addMenu(tr("Te&xture coordinates"));
+  coordinates->setToolTipsVisible(true);
+  coordinates->addActions(mesh_actions_->of_texture_coordinates());
+  uv_->set_menu(coordinates);
   menu->addSeparator();
   menu->addAction(new_action(*this,
                              {tr("&Bake irradiance"), "bake", QKeySequence("Ctrl+Alt+B"),
