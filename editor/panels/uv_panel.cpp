@@ -89,7 +89,7 @@ QWidget* UvPanel::make_page() {
 }
 
 void UvPanel::add_row(QGridLayout& grid, Row row, const QString& name, const QString& help) {
-  grid.addWidget(new QLabel(name, this), row, 0);
+  grid.addWidget(new QLabel(tr("%1 u, v").arg(name), this), row, 0);
   for (int axis = 0; axis < 2; ++axis) {
     const QString full_name = QStringLiteral("%1, %2").arg(name, QString("uv").mid(axis, 1));
     NumberInfo info{tr("UV %1").arg(full_name.toLower()), tr("%1: %2").arg(full_name, help),
