@@ -1,7 +1,6 @@
 #include "editor/document/texture_coordinates.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -9,7 +9,6 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/counted.h"
 #include "editor/controls/form_widgets.h"

@@ -79,6 +79,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   images_ = new ImageController(*render_, *pages_, *image_menu_, this);
   connect_files();
   connect_panels();
+  connect_actions();
   connect_renders();
   docks_.keep_as_default();
   docks_.restore(QSettings());
@@ -155,15 +156,7 @@ void MainWindow::make_docks() {
   QDockWidget* uv = docks_.add({"uv", tr("UV"), "grid", QKeySequence("Ctrl+Alt+U"),
                                 tr("Texture coordinates (UVs) of the selected faces, over their image")},
                                Qt::RightDockWidgetArea, uv_);
-  render_dock_ = docks_.add(
-      {"render", tr("Render"), "render", QKeySequence("Ctrl+5"), tr("Previews and renders of the scene")},
-      Qt::BottomDockWidgetArea, render_);
-  message_dock_ = docks_.add({"messages", tr("Messages"), "note", QKeySequence("Ctrl+6"),
-                              tr("Errors and warnings about the scene and its file")},
-                             Qt::BottomDockWidgetArea, messages_);
-  job_dock_ = docks_.add({"jobs", tr("Jobs"), "jobs", QKeySequence("Ctrl+8"),
-                          tr("Running and queued jobs, such as imports and renders")},
-                         Qt::BottomDockWidgetArea, new JobPanel(jobs_));
+  make_bottom_docks();
   auto* steps = new QUndoView(&document_.undo_stack());
   steps->setEmptyLabel(tr("Opened"));
   steps->setAccessibleName(tr("Undo steps"));
@@ -179,11 +172,23 @@ void MainWindow::make_docks() {
   splitDockWidget(surface, brdf_dock_, Qt::Vertical);
   tabifyDockWidget(brdf_dock_, uv);
   brdf_dock_->raise();
-  tabifyDockWidget(render_dock_, message_dock_);
-  tabifyDockWidget(message_dock_, job_dock_);
   resizeDocks({tree, surface}, {34 * Grid, 46 * Grid}, Qt::Horizontal);
   resizeDocks({tree, lights}, {70 * Grid, 40 * Grid}, Qt::Vertical);
   resizeDocks({surface, brdf_dock_}, {48 * Grid, 62 * Grid}, Qt::Vertical);
+}
+
+void MainWindow::make_bottom_docks() {
+  render_dock_ = docks_.add(
+      {"render", tr("Render"), "render", QKeySequence("Ctrl+5"), tr("Previews and renders of the scene")},
+      Qt::BottomDockWidgetArea, render_);
+  message_dock_ = docks_.add({"messages", tr("Messages"), "note", QKeySequence("Ctrl+6"),
+                              tr("Errors and warnings about the scene and its file")},
+                             Qt::BottomDockWidgetArea, messages_);
+  job_dock_ = docks_.add({"jobs", tr("Jobs"), "jobs", QKeySequence("Ctrl+8"),
+                          tr("Running and queued jobs, such as imports and renders")},
+                         Qt::BottomDockWidgetArea, new JobPanel(jobs_));
+  tabifyDockWidget(render_dock_, message_dock_);
+  tabifyDockWidget(message_dock_, job_dock_);
   render_dock_->hide();
   message_dock_->hide();
   job_dock_->hide();
@@ -215,25 +220,6 @@ void MainWindow::connect_panels() {
   connect(view_, &SceneView::message, this, &MainWindow::show_status);
   connect(view_, &SceneView::warned, messages_, &MessagePanel::add_warning);
   connect(&brdf_editor_->sphere(), &LiveSphere::warned, messages_, &MessagePanel::add_warning);
-  connect(mesh_actions_, &MeshActions::status_message, this, &MainWindow::show_status);
-  connect(mesh_actions_, &MeshActions::failed, this, &MainWindow::fail);
-  connect(uv_, &UvPanel::edit_requested, mesh_actions_,
-          [this](const QString& text, const UvTransform& transform) {
-            mesh_actions_->start(text, document_.selection(), [transform](const SelectedFaces& faces) {
-              return with_transformed_uvs(faces, transform);
-            });
-          });
-  connect(material_actions_, &MaterialActions::status_message, this, &MainWindow::show_status);
-  connect(material_actions_, &MaterialActions::failed, this, &MainWindow::fail);
-  connect(object_actions_, &ObjectActions::surface_requested, this, [this](bool is_along_normal) {
-    view_controller_->pick({tr("Click where the object shall stand, or press Escape to cancel"),
-                            [this, is_along_normal](const SurfacePoint& point) {
-                              object_actions_->place_on(point.position, is_along_normal
-                                                                            ? std::optional(point.normal)
-                                                                            : std::nullopt);
-                            }});
-  });
-  connect(object_actions_, &ObjectActions::status_message, this, &MainWindow::show_status);
   connect(view_controller_, &ViewController::failed, this, &MainWindow::fail);
   connect(view_controller_, &ViewController::status_message, this, &MainWindow::show_status);
   connect(brdf_controller_, &BrdfController::failed, this, &MainWindow::fail);
@@ -274,6 +260,28 @@ void MainWindow::connect_panels() {
   });
   connect(bake_, &BakeController::status_message, this, &MainWindow::show_status);
   connect(bake_, &BakeController::failed, this, &MainWindow::fail);
+}
+
+void MainWindow::connect_actions() {
+  connect(mesh_actions_, &MeshActions::status_message, this, &MainWindow::show_status);
+  connect(mesh_actions_, &MeshActions::failed, this, &MainWindow::fail);
+  connect(uv_, &UvPanel::edit_requested, mesh_actions_,
+          [this](const QString& text, const UvTransform& transform) {
+            mesh_actions_->start(text, document_.selection(), [transform](const SelectedFaces& faces) {
+              return with_transformed_uvs(faces, transform);
+            });
+          });
+  connect(material_actions_, &MaterialActions::status_message, this, &MainWindow::show_status);
+  connect(material_actions_, &MaterialActions::failed, this, &MainWindow::fail);
+  connect(object_actions_, &ObjectActions::surface_requested, this, [this](bool is_along_normal) {
+    view_controller_->pick({tr("Click where the object shall stand, or press Escape to cancel"),
+                            [this, is_along_normal](const SurfacePoint& point) {
+                              object_actions_->place_on(point.position, is_along_normal
+                                                                            ? std::optional(point.normal)
+                                                                            : std::nullopt);
+                            }});
+  });
+  connect(object_actions_, &ObjectActions::status_message, this, &MainWindow::show_status);
 }
 
 void MainWindow::aim_light() {

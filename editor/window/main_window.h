@@ -86,8 +86,10 @@ class MainWindow : public QMainWindow {
   // main_window.cpp
   void lay_out();
   void make_docks();
+  void make_bottom_docks();
   void connect_files();
   void connect_panels();
+  void connect_actions();
   void connect_renders();
   void light_first_preview();
   void aim_light();
