@@ -48,6 +48,7 @@ constexpr SearchTerm Terms[] = {
     {"similar", "same like"},
     {"smooth", "relax denoise"},
     {"subdivide", "tessellate refine"},
+    {"texture coordinates", "uv uvs unwrap mapping"},
     {"unused", "purge orphan"},
     {"zoom", "dolly nearer"},
 };

@@ -55,21 +55,8 @@ grf::Mesh with_part(const grf::Mesh& mesh, const FaceSelection::Faces& faces, co
 
 using MeshEdit = std::function<grf::Mesh(const grf::Mesh&)>;
 
-/// Edits only the selected faces of a mesh. The edit keeps number and order of faces.
-grf::Mesh edited_mesh(const grf::Mesh& mesh, const FaceSelection::Faces& faces, const MeshEdit& edit) {
-  if (faces.all()) return edit(mesh);
-  return with_part(mesh, faces, edit(grf::submesh(mesh, numbers_of(faces))));
-}
-
 grf::Scene edited_scene(const SelectedFaces& faces, const MeshEdit& edit) {
-  grf::Scene scene = faces.scene;
-  const FaceSelection selection = at_all_places(faces.scene, faces.objects, faces.selection);
-  for (const std::uint32_t i : selection.meshes()) {
-    const FaceSelection::Faces& of_mesh = selection.of_mesh(i);
-    const MeshObject& object = faces.objects.meshes[i];
-    *grf::find_mesh(scene, object.path) = edited_mesh(*object.mesh, of_mesh, edit);
-  }
-  return scene;
+  return with_edited_faces(faces, [&edit](const grf::Mesh& mesh, std::uint32_t) { return edit(mesh); });
 }
 
 /// Edits whole meshes of a scene, which may have other faces afterwards.
@@ -122,6 +109,20 @@ std::vector<grf::ScenePath> uses_of(const grf::Scene& scene, const std::vector<g
 }
 
 }  // namespace
+
+grf::Scene with_edited_faces(const SelectedFaces& faces, const FaceEdit& edit) {
+  grf::Scene scene = faces.scene;
+  const FaceSelection selection = at_all_places(faces.scene, faces.objects, faces.selection);
+  for (const std::uint32_t i : selection.meshes()) {
+    const FaceSelection::Faces& of_mesh = selection.of_mesh(i);
+    const MeshObject& object = faces.objects.meshes[i];
+    const grf::Mesh& mesh = *object.mesh;
+    *grf::find_mesh(scene, object.path) =
+        of_mesh.all() ? edit(mesh, i)
+                      : with_part(mesh, of_mesh, edit(grf::submesh(mesh, numbers_of(of_mesh)), i));
+  }
+  return scene;
+}
 
 grf::Scene with_smooth_normals(const SelectedFaces& faces, double crease) {
   return edited_scene(faces,

@@ -2,6 +2,9 @@
 // split where they come to differ, and the other faces are unchanged.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "editor/document/face_selection.h"
@@ -16,6 +19,9 @@ struct Subdivision;
 
 namespace editor {
 
+/// The faces of a scene that can be edited synchronously, without a noticeable delay; more need a job.
+inline constexpr std::size_t FewFaces = 20'000;
+
 /// Selected faces of a scene, with the scene's objects.
 struct SelectedFaces {
   const grf::Scene& scene;
@@ -25,6 +31,10 @@ struct SelectedFaces {
 
 // Each returns a new scene, in which the faces are edited at all places that include their file.
 
+/// Edits a mesh of only the selected faces of a mesh object, whose index is the second argument. The edit
+/// keeps number and order of the faces.
+using FaceEdit = std::function<grf::Mesh(const grf::Mesh& faces, std::uint32_t mesh)>;
+grf::Scene with_edited_faces(const SelectedFaces& faces, const FaceEdit& edit);
 /// Recomputes the faces' vertex normals, with creases at edges whose face angle exceeds `crease` radians (0
 /// to pi).
 grf::Scene with_smooth_normals(const SelectedFaces& faces, double crease);

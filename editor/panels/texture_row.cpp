@@ -19,18 +19,6 @@
 namespace editor {
 namespace {
 
-/// The image of the first selected face; empty if it has none.
-QString first_image(const Document& document) {
-  const FaceSelection& selection = document.selection();
-  for (std::uint32_t i = 0; i < selection.mesh_count(); ++i) {
-    if (selection.count(i) == 0) continue;
-    const MeshObject& object = document.objects().meshes[i];
-    const std::size_t first = selection.of_mesh(i).find_first();
-    return QString::fromStdString(object.flat_surfaces[(*object.mesh->surface_of_face)[first]].texture);
-  }
-  return {};
-}
-
 /// Sets the texture of the selected faces, or removes it.
 void edit_texture(Document& document, const AttributeEdit<grf::TextureAttribute>& texture) {
   SurfaceEdit edit;
@@ -101,7 +89,7 @@ void TextureRow::show_summary(const SelectionSummary& summary) {
   }
   choice_->setEditText(shown_);
   const bool has_image = !common.is_mixed && common.value.has_value();
-  const QString image = has_image ? first_image(document_) : QString();
+  const QString image = has_image ? first_texture(document_.objects(), document_.selection()) : QString();
   preview_->setVisible(!image.isEmpty());
   preview_->show_image(image);
   QVector<QPolygonF> outlines;

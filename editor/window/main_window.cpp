@@ -28,6 +28,7 @@
 #include "editor/panels/object_panel.h"
 #include "editor/panels/scene_tree.h"
 #include "editor/panels/surface_panel.h"
+#include "editor/panels/uv_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/bake_controller.h"
@@ -81,6 +82,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   images_ = new ImageController(*render_, *pages_, *image_menu_, this);
   connect_files();
   connect_panels();
+  connect_actions();
   connect_renders();
   docks_.keep_as_default();
   docks_.restore(QSettings());
@@ -133,6 +135,7 @@ void MainWindow::make_docks() {
   cameras_ = new CameraPanel(document_);
   surface_ = new SurfacePanel(document_, catalogue_);
   brdf_editor_ = new BrdfEditor;
+  uv_ = new UvPanel(document_);
   render_ = new RenderPanel(document_, jobs_);
   messages_ = new MessagePanel(document_, catalogue_);
   QDockWidget* tree = docks_.add({"scene", tr("Scene"), "objects", QKeySequence("Ctrl+1"),
@@ -155,15 +158,10 @@ void MainWindow::make_docks() {
       docks_.add({"brdf", tr("BRDF"), "brdf", QKeySequence("Ctrl+4"),
                   tr("BRDF of the selected faces: parameters such as roughness, lobe, plots and sphere")},
                  Qt::RightDockWidgetArea, brdf_editor_);
-  render_dock_ = docks_.add(
-      {"render", tr("Render"), "render", QKeySequence("Ctrl+5"), tr("Previews and renders of the scene")},
-      Qt::BottomDockWidgetArea, render_);
-  message_dock_ = docks_.add({"messages", tr("Messages"), "note", QKeySequence("Ctrl+6"),
-                              tr("Errors and warnings about the scene and its file")},
-                             Qt::BottomDockWidgetArea, messages_);
-  job_dock_ = docks_.add({"jobs", tr("Jobs"), "jobs", QKeySequence("Ctrl+8"),
-                          tr("Running and queued jobs, such as imports and renders")},
-                         Qt::BottomDockWidgetArea, new JobPanel(jobs_));
+  QDockWidget* uv = docks_.add({"uv", tr("UV"), "grid", QKeySequence("Ctrl+Alt+U"),
+                                tr("Texture coordinates (UVs) of the selected faces, over their image")},
+                               Qt::RightDockWidgetArea, uv_);
+  make_bottom_docks();
   auto* steps = new QUndoView(&document_.undo_stack());
   steps->setEmptyLabel(tr("Opened"));
   steps->setAccessibleName(tr("Undo steps"));
@@ -177,11 +175,25 @@ void MainWindow::make_docks() {
   tabifyDockWidget(cameras, history);
   lights->raise();
   splitDockWidget(surface, brdf_dock_, Qt::Vertical);
-  tabifyDockWidget(render_dock_, message_dock_);
-  tabifyDockWidget(message_dock_, job_dock_);
+  tabifyDockWidget(brdf_dock_, uv);
+  brdf_dock_->raise();
   resizeDocks({tree, surface}, {34 * Grid, 46 * Grid}, Qt::Horizontal);
   resizeDocks({tree, lights}, {70 * Grid, 40 * Grid}, Qt::Vertical);
   resizeDocks({surface, brdf_dock_}, {48 * Grid, 62 * Grid}, Qt::Vertical);
+}
+
+void MainWindow::make_bottom_docks() {
+  render_dock_ = docks_.add(
+      {"render", tr("Render"), "render", QKeySequence("Ctrl+5"), tr("Previews and renders of the scene")},
+      Qt::BottomDockWidgetArea, render_);
+  message_dock_ = docks_.add({"messages", tr("Messages"), "note", QKeySequence("Ctrl+6"),
+                              tr("Errors and warnings about the scene and its file")},
+                             Qt::BottomDockWidgetArea, messages_);
+  job_dock_ = docks_.add({"jobs", tr("Jobs"), "jobs", QKeySequence("Ctrl+8"),
+                          tr("Running and queued jobs, such as imports and renders")},
+                         Qt::BottomDockWidgetArea, new JobPanel(jobs_));
+  tabifyDockWidget(render_dock_, message_dock_);
+  tabifyDockWidget(message_dock_, job_dock_);
   render_dock_->hide();
   message_dock_->hide();
   job_dock_->hide();
@@ -213,19 +225,6 @@ void MainWindow::connect_panels() {
   connect(view_, &SceneView::message, this, &MainWindow::show_status);
   connect(view_, &SceneView::warned, messages_, &MessagePanel::add_warning);
   connect(&brdf_editor_->sphere(), &LiveSphere::warned, messages_, &MessagePanel::add_warning);
-  connect(mesh_actions_, &MeshActions::status_message, this, &MainWindow::show_status);
-  connect(mesh_actions_, &MeshActions::failed, this, &MainWindow::fail);
-  connect(material_actions_, &MaterialActions::status_message, this, &MainWindow::show_status);
-  connect(material_actions_, &MaterialActions::failed, this, &MainWindow::fail);
-  connect(object_actions_, &ObjectActions::surface_requested, this, [this](bool is_along_normal) {
-    view_controller_->pick({tr("Click where the object shall stand, or press Escape to cancel"),
-                            [this, is_along_normal](const SurfacePoint& point) {
-                              object_actions_->place_on(point.position, is_along_normal
-                                                                            ? std::optional(point.normal)
-                                                                            : std::nullopt);
-                            }});
-  });
-  connect(object_actions_, &ObjectActions::status_message, this, &MainWindow::show_status);
   connect(view_controller_, &ViewController::failed, this, &MainWindow::fail);
   connect(view_controller_, &ViewController::status_message, this, &MainWindow::show_status);
   connect(brdf_controller_, &BrdfController::failed, this, &MainWindow::fail);
@@ -266,6 +265,28 @@ void MainWindow::connect_panels() {
   });
   connect(bake_, &BakeController::status_message, this, &MainWindow::show_status);
   connect(bake_, &BakeController::failed, this, &MainWindow::fail);
+}
+
+void MainWindow::connect_actions() {
+  connect(mesh_actions_, &MeshActions::status_message, this, &MainWindow::show_status);
+  connect(mesh_actions_, &MeshActions::failed, this, &MainWindow::fail);
+  connect(uv_, &UvPanel::edit_requested, mesh_actions_,
+          [this](const QString& text, const UvTransform& transform) {
+            mesh_actions_->start(text, document_.selection(), [transform](const SelectedFaces& faces) {
+              return with_transformed_uvs(faces, transform);
+            });
+          });
+  connect(material_actions_, &MaterialActions::status_message, this, &MainWindow::show_status);
+  connect(material_actions_, &MaterialActions::failed, this, &MainWindow::fail);
+  connect(object_actions_, &ObjectActions::surface_requested, this, [this](bool is_along_normal) {
+    view_controller_->pick({tr("Click where the object shall stand, or press Escape to cancel"),
+                            [this, is_along_normal](const SurfacePoint& point) {
+                              object_actions_->place_on(point.position, is_along_normal
+                                                                            ? std::optional(point.normal)
+                                                                            : std::nullopt);
+                            }});
+  });
+  connect(object_actions_, &ObjectActions::status_message, this, &MainWindow::show_status);
 }
 
 void MainWindow::aim_light() {

@@ -40,6 +40,7 @@ class SceneView;
 class SelectionActions;
 class StatusLine;
 class SurfacePanel;
+class UvPanel;
 class ViewActions;
 class ShortcutKeys;
 class ViewController;
@@ -66,6 +67,7 @@ class MainWindow : public QMainWindow {
   SceneView& view() { return *view_; }
   BrdfEditor& brdf_editor() { return *brdf_editor_; }
   SurfacePanel& surface_panel() { return *surface_; }
+  UvPanel& uv_panel() { return *uv_; }
   SceneTree& scene_tree() { return *tree_; }
   RenderPanel& render_panel() { return *render_; }
   RenderController& render_controller() { return *render_controller_; }
@@ -88,8 +90,10 @@ class MainWindow : public QMainWindow {
   // main_window.cpp
   void lay_out();
   void make_docks();
+  void make_bottom_docks();
   void connect_files();
   void connect_panels();
+  void connect_actions();
   void connect_renders();
   void light_first_preview();
   void aim_light();
@@ -127,6 +131,7 @@ class MainWindow : public QMainWindow {
   ObjectPanel* object_ = nullptr;
   CameraPanel* cameras_ = nullptr;
   SurfacePanel* surface_ = nullptr;
+  UvPanel* uv_ = nullptr;
   BrdfEditor* brdf_editor_ = nullptr;
   RenderPanel* render_ = nullptr;
   MessagePanel* messages_ = nullptr;

@@ -13,6 +13,7 @@
 #include "editor/panels/camera_panel.h"
 #include "editor/panels/light_panel.h"
 #include "editor/panels/object_panel.h"
+#include "editor/panels/uv_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_window.h"
 #include "editor/view/scene_view.h"
@@ -147,6 +148,10 @@ void MainWindow::make_scene_menu() {
   menu->addActions(object_actions_->additions());
   menu->addSeparator();
   menu->addActions(mesh_actions_->of_meshes());
+  QMenu* coordinates = menu->addMenu(tr("Te&xture coordinates"));
+  coordinates->setToolTipsVisible(true);
+  coordinates->addActions(mesh_actions_->of_texture_coordinates());
+  uv_->set_menu(coordinates);
   menu->addSeparator();
   menu->addAction(new_action(*this,
                              {tr("&Bake irradiance"), "bake", QKeySequence("Ctrl+Alt+B"),

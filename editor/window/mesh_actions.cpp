@@ -8,6 +8,7 @@
 #include "converters/mesh_operations/subdivide.h"
 #include "editor/controls/actions.h"
 #include "editor/document/document.h"
+#include "editor/document/texture_coordinates.h"
 #include "editor/jobs/job_list.h"
 #include "grf/scene_path.h"
 
@@ -18,8 +19,6 @@ namespace {
 constexpr double MostFaces = 2e7;
 /// Enough to remove the noise of a scan, and few enough to keep features such as a nose.
 constexpr int SmoothingSteps = 10;
-/// Meshes with fewer faces are edited synchronously, without a noticeable delay.
-constexpr std::size_t FewFaces = 20'000;
 
 const QString MeshQueue = QStringLiteral("meshes");
 
@@ -84,9 +83,61 @@ MeshActions::MeshActions(Document& document, JobList& jobs, QWidget& window)
                   tr("Select the faces whose normals point inward (flipped normals), in the meshes of the "
                      "selected faces, or in all if none is selected")},
                  [this] { select_inward(); }));
+  make_projections(window);
+  make_uv_transforms(window);
   connect(&jobs_, &JobList::changed, this, [this] {
     for (QAction* action : all()) action->setEnabled(!jobs_.is_busy(MeshQueue));
   });
+}
+
+void MeshActions::add_uv_edit(QWidget& window, const QString& text, const QString& tip, const Edit& edit) {
+  const QString title = QString(text).remove('&');
+  of_texture_coordinates_.append(new_action(window, {text, {}, {}, tip}, [this, title, edit] {
+    if (document_.selection().empty()) return emit status_message(tr("No face is selected"));
+    start(title, document_.selection(), edit);
+  }));
+}
+
+void MeshActions::make_projections(QWidget& window) {
+  const auto add = [&](const QString& text, UvProjection projection, const QString& from) {
+    add_uv_edit(window, text, tr("Project the image onto the selected faces %1").arg(from),
+                [projection](const SelectedFaces& faces) { return with_projected_uvs(faces, projection); });
+  };
+  add(tr("Project along the &normal"), UvProjection::AlongNormal, tr("along their mean normal"));
+  add(tr("Project along &x"), UvProjection::AlongX, tr("on a plane, as seen from +x"));
+  add(tr("Project along &y"), UvProjection::AlongY, tr("on a plane, as seen from above"));
+  add(tr("Project along &z"), UvProjection::AlongZ, tr("on a plane, as seen from +z"));
+  add(tr("Project from a &box"), UvProjection::Box,
+      tr("from the side of a box that is nearest to the normal of each"));
+  add(tr("Project from a &cylinder"), UvProjection::Cylinder,
+      tr("around a vertical cylinder; on caps from above and below"));
+  add(tr("Project from a &sphere"), UvProjection::Sphere, tr("by longitude and latitude about their centre"));
+}
+
+void MeshActions::make_uv_transforms(QWidget& window) {
+  const auto add = [&](const QString& text, const QString& tip,
+                       const std::function<UvTransform(const UvBounds&)>& transform) {
+    add_uv_edit(window, text, tip, [transform](const SelectedFaces& faces) {
+      const UvBounds bounds = uv_bounds(faces.objects, faces.selection);
+      return bounds.isEmpty() ? faces.scene : with_transformed_uvs(faces, transform(bounds));
+    });
+  };
+  const auto scaled = [](double u, double v) {
+    return [u, v](const UvBounds& bounds) { return UvTransform{bounds.center(), {u, v}, 0, {0, 0}}; };
+  };
+  add(tr("&Rotate by 90°"), tr("Rotate the texture coordinates of the selected faces to the left"),
+      [](const UvBounds& bounds) {
+        return UvTransform{bounds.center(), {1, 1}, 90, {0, 0}};
+      });
+  add(tr("Flip &horizontally"), tr("Mirror the texture coordinates of the selected faces, left to right"),
+      scaled(-1, 1));
+  add(tr("Flip &vertically"), tr("Mirror the texture coordinates of the selected faces, top to bottom"),
+      scaled(1, -1));
+  add(tr("&Fit to the image"),
+      tr("Scale and move the texture coordinates of the selected faces to the whole image"),
+      [](const UvBounds& bounds) {
+        return fitted(bounds, {{0, 0}, {1, 1}});
+      });
 }
 
 FaceSelection MeshActions::selected_or_all() const {

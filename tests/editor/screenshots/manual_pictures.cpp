@@ -17,6 +17,9 @@
 #include "editor/options/options_window.h"
 #include "editor/panels/camera_panel.h"
 #include "editor/panels/face_query_dialog.h"
+#include "editor/panels/texture_row.h"
+#include "editor/panels/uv_panel.h"
+#include "editor/panels/uv_view.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_windows.h"
 #include "editor/window/viewer_window.h"
@@ -75,6 +78,22 @@ QPixmap placing() {
   stage.dock("object");
   stage.settle();
   return stage.picture();
+}
+
+/// Faces of the teapot with the image of the garden's path.
+QPixmap uv_dock() {
+  Stage stage({1280, 800});
+  stage.open_as_rendered(Samples + "teapot/scene.grf");
+  stage.select_patch({0.44, 0.56}, 6);
+  editor::assign_texture(stage.window().document(), Samples + "garden/paving.png");
+  stage.act("Project along the normal");
+  QDockWidget& dock = stage.dock("uv");
+  dock.setFloating(true);
+  dock.resize(46 * editor::Grid, 50 * editor::Grid);
+  const auto& view = stage.window().uv_panel().view();
+  expect(QTest::qWaitFor([&view] { return !view.image().image().isNull(); }, Minute), "no texture");
+  stage.settle();
+  return dock.grab();
 }
 
 QPixmap cameras() {
@@ -270,6 +289,7 @@ std::vector<Picture> manual_pictures() {
       {"placing", placing},
       {"cameras", cameras},
       {"rendered", rendered_view},
+      {"uv", uv_dock},
       {"surface", [] { return dock_with_models("surface"); }},
       {"brdf_sphere", [] { return brdf_dock(BrdfEditor::View::Sphere); }},
       {"brdf_lobe", [] { return brdf_dock(BrdfEditor::View::Lobe); }},

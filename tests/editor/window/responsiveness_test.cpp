@@ -16,6 +16,7 @@
 #include "editor/controls/number_box.h"
 #include "editor/panels/message_panel.h"
 #include "editor/panels/surface_panel.h"
+#include "editor/panels/uv_view.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/window/file_actions.h"
 #include "tests/editor/window/window_driver.h"
@@ -236,6 +237,36 @@ TEST_F(Responsiveness, OfViews) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return step >= 10; }, Minute));
     hand.stop();
     QTest::mouseRelease(&view(), Qt::MiddleButton, {}, middle + QPoint(50, 10));
+  });
+}
+
+TEST_F(Responsiveness, OfTextureCoordinates) {
+  Docks::show(window_.findChild<QDockWidget*>("uv"));
+  select_all();
+  auto& uvs = *window_.findChild<UvView*>();
+  ASSERT_TRUE(QTest::qWaitFor([&uvs] { return uvs.isVisible(); }));
+  const auto none = [this] { test::action(window_, "None").trigger(); };
+  expect_quick(
+      "show coordinates", [this] { select_all(); }, none);
+  const auto wait_for_step = [this](int before) {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return document().undo_stack().index() > before; }, Minute));
+  };
+  const auto all_anew = [this] {
+    undo_all();
+    select_all();
+  };
+  expect_quick(
+      "project",
+      [&] {
+        const int before = document().undo_stack().index();
+        test::action(window_, "Project from a box").trigger();
+        wait_for_step(before);
+      },
+      all_anew);
+  expect_quick("move coordinates", [&] {
+    const int before = document().undo_stack().index();
+    test::drag(uvs, uvs.rect().center(), uvs.rect().center() + QPoint(20, 10));
+    wait_for_step(before);
   });
 }
 
