@@ -139,7 +139,8 @@ QString Document::name() const { return path_.isEmpty() ? tr("Untitled") : QFile
 
 void Document::clear() { take({}, {}, {}); }
 
-void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, bool is_modified) {
+void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, EditorState state,
+                    bool is_modified) {
   undo_stack_.clear();
   origin_ = revision();
   state_ = {};
@@ -153,7 +154,7 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   imports_.clear();
   has_plain_sky_ = false;
   show(std::move(scene));
-  state_ = read_editor_state(path_, *objects_, diagnostics_);
+  if (state.hidden.fits(*objects_)) state_ = std::move(state);
   saved_state_ = state_;
   emit editor_state_changed();
   options_.open_beside(path_);
@@ -165,7 +166,7 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
 }
 
 void Document::take_import(const ImportedModel& model) {
-  take(moved(model.scene, model.path, {}), {}, model.diagnostics, true);
+  take(moved(model.scene, model.path, {}), {}, model.diagnostics, {}, true);
   add_import(model.folder);
 }
 

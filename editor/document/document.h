@@ -71,8 +71,10 @@ class Document : public QObject {
 
   /// Starts an empty scene. This cannot be undone.
   void clear();
-  /// Sets a scene as if it had been read from the path; a recovered scene counts as modified.
-  void take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, bool is_modified = false);
+  /// Sets a scene as if it had been read from the path, with the state of the editor's file beside it, which
+  /// is ignored unless it is of the scene's objects. A recovered scene counts as modified.
+  void take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, EditorState state = {},
+            bool is_modified = false);
   /// Sets an imported model as a new, unsaved scene.
   void take_import(const ImportedModel& model);
   /// Appends the blocks of another scene, whose file is `path`, in a scope of its names, as one undo step.

@@ -56,7 +56,9 @@ class KeepingEditorState : public testing::Test {
     grf::Diagnostics diagnostics;
     auto scene = grf::read(path().toStdString(), diagnostics);
     if (!scene) throw std::runtime_error(diagnostics.to_text());
-    document.take(std::move(*scene), path(), {});
+    const SceneObjects objects = objects_of(*scene, path().toStdString());
+    EditorState state = read_editor_state(path(), objects, diagnostics);
+    document.take(std::move(*scene), path(), std::move(diagnostics), std::move(state));
   }
   void save() {
     grf::Diagnostics diagnostics;
