@@ -1,6 +1,7 @@
 #include "editor/rendering/render_panel.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHBoxLayout>
@@ -18,6 +19,7 @@
 #include "editor/appearance/theme.h"
 #include "editor/controls/form_widgets.h"
 #include "editor/document/document.h"
+#include "editor/document/geometry_edits.h"
 #include "editor/document/op_document.h"
 #include "editor/document/op_files.h"
 #include "editor/jobs/job_list.h"
@@ -50,6 +52,9 @@ RenderPanel::RenderPanel(Document& document, JobList& jobs, const QString& progr
   };
   connect(&document_, &Document::changed, this, follow_scene);
   connect(&document_, &Document::path_changed, this, follow_scene);
+  connect(&document_, &Document::editor_state_changed, this, [this] {
+    if (preview_.is_on() && without_hidden_->isChecked()) restart_preview();
+  });
   connect(&options_, &OpDocument::changed, this, &RenderPanel::show_options);
   connect(&options_, &OpDocument::path_changed, this,
           [this] { log(QString::fromStdString(options_.diagnostics().to_text())); });
@@ -90,6 +95,13 @@ QWidget* RenderPanel::make_controls() {
     buttons->addWidget(button);
   }
   settings_ = new RenderSettingsRow(controls);
+  without_hidden_ = new QCheckBox(tr("Without &hidden faces"), controls);
+  without_hidden_->setAccessibleName(tr("Without hidden faces"));
+  without_hidden_->setToolTip(
+      tr("Preview the scene without the faces that are hidden in the 3D view; final renders have all faces"));
+  connect(without_hidden_, &QCheckBox::toggled, this, [this] {
+    if (preview_.is_on()) restart_preview();
+  });
   progress_ = new QProgressBar(controls);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
@@ -101,6 +113,7 @@ QWidget* RenderPanel::make_controls() {
   status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   column->addLayout(buttons);
   column->addWidget(settings_);
+  column->addWidget(without_hidden_);
   column->addStretch();
   column->addWidget(progress_);
   column->addWidget(status_);
@@ -273,7 +286,18 @@ void RenderPanel::restart_preview() {
   }
   curve_->clear();
   show_status(tr("Preview"));
-  preview_.restart({document_.scene(), document_.path().toStdString(), options_.valid_options(), view_});
+  hiding_.stop();
+  const FaceSelection& hidden = document_.editor_state().hidden;
+  if (!without_hidden_->isChecked() || hidden.empty()) return show_in_preview(document_.scene());
+  hiding_.start(
+      [scene = document_.scene(), objects = document_.shared_objects(), hidden](const StopFlag&) {
+        return without_faces({scene, *objects, hidden});
+      },
+      [this](const grf::Scene& scene) { show_in_preview(scene); });
+}
+
+void RenderPanel::show_in_preview(const grf::Scene& scene) {
+  preview_.restart({scene, document_.path().toStdString(), options_.valid_options(), view_});
   update_actions();
 }
 
@@ -317,6 +341,7 @@ void RenderPanel::stop() {
     show_status(tr("Stopping: the image is kept"));
     return final_.stop();
   }
+  hiding_.stop();
   preview_.stop();
 }
 

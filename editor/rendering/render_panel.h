@@ -5,10 +5,12 @@
 #include <QWidget>
 #include <optional>
 
+#include "editor/jobs/background_job.h"
 #include "editor/rendering/final_render.h"
 #include "editor/rendering/preview.h"
 
 class QAction;
+class QCheckBox;
 class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
@@ -69,6 +71,7 @@ class RenderPanel : public QWidget {
   void list_preview(job::PreviewState state);
   void toggle_preview();
   void restart_preview();
+  void show_in_preview(const grf::Scene& scene);
   void render();
   void begin(Job& job, const FinalRenderRequest& request);
   void end_job();
@@ -97,12 +100,14 @@ class RenderPanel : public QWidget {
   QAction* stop_action_;
   QAction* options_action_;
   RenderSettingsRow* settings_;
+  QCheckBox* without_hidden_;
   QProgressBar* progress_;
   QLabel* status_;
   FittedImage* image_;
   ErrorCurve* curve_;
   QPlainTextEdit* log_;
   RenderHistory* history_;
+  BackgroundJob<grf::Scene> hiding_{this};  ///< removes hidden faces for the preview
   Preview preview_;
   FinalRender final_;
 };

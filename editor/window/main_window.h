@@ -39,6 +39,7 @@ class StatusLine;
 class SurfacePanel;
 class ViewActions;
 class ViewController;
+class VisibilityActions;
 struct Tool;
 
 /// The 3D view of a document, its docks, and the controllers that connect them. The only modal dialogs are
@@ -133,6 +134,7 @@ class MainWindow : public QMainWindow {
   BrdfController* brdf_controller_ = nullptr;
   ViewActions* view_actions_ = nullptr;
   SelectionActions* selection_actions_ = nullptr;
+  VisibilityActions* visibility_actions_ = nullptr;
   ObjectActions* object_actions_ = nullptr;
   MaterialActions* material_actions_ = nullptr;
   MeshActions* mesh_actions_ = nullptr;
