@@ -64,8 +64,8 @@ Kept kept(const std::vector<std::unique_ptr<SceneEntry>>& now,
 SceneModel::SceneModel(Document& document, QObject* parent)
     : QAbstractItemModel(parent), document_(document), root_(entries_of(document)) {
   connect(&document_, &Document::changed, this, &SceneModel::update_scene);
-  connect(&document_, &Document::selection_changed, this, &SceneModel::update_selection);
-  update_selection();
+  connect(&document_, &Document::selection_changed, this, [this] { update_selection(*root_); });
+  update_selection(*root_);
 }
 
 SceneModel::~SceneModel() = default;
@@ -249,7 +249,7 @@ void SceneModel::update_scene(const Change& change) {
   }
   const QScopedValueRollback guard(is_updating_, true);
   update_children(*root_, std::move(entries_of(document_)->children));
-  update_selection();
+  update_selection(*root_);
 }
 
 /// Renames meshes, and transforms that are named after their contents.
@@ -271,16 +271,22 @@ void SceneModel::update_names(const Change& change) {
   });
 }
 
-void SceneModel::update_selection() {
+void SceneModel::update_selection(SceneEntry& parent) {
   const FaceSelection& selection = document_.selection();
-  for_each_entry(*root_, [&](SceneEntry& line) {
+  // Views are notified once for all items of a parent, as in `update_children`.
+  const SceneEntry* first = nullptr;
+  const SceneEntry* last = nullptr;
+  for (const auto& child : parent.children) {
+    SceneEntry& line = *child;
     const bool has = line.mesh && *line.mesh < selection.mesh_count() && selection.count(*line.mesh) > 0;
     if (std::exchange(line.has_selection, has) != has) {
-      const QModelIndex index = index_of(line);
-      emit dataChanged(index, index.siblingAtColumn(1), {Qt::FontRole});
+      last = &line;
+      if (first == nullptr) first = last;
     }
-    return true;
-  });
+    update_selection(line);
+  }
+  if (first != nullptr)
+    emit dataChanged(index_of(*first), index_of(*last).siblingAtColumn(DetailColumn), {Qt::FontRole});
 }
 
 void SceneModel::update_children(SceneEntry& now, std::vector<std::unique_ptr<SceneEntry>> wanted) {

@@ -57,7 +57,7 @@ class SceneModel : public QAbstractItemModel {
   QIcon cached_icon(const QString& name) const;
   void update_scene(const Change& change);
   void update_names(const Change& change);
-  void update_selection();
+  void update_selection(SceneEntry& parent);
   void update_children(SceneEntry& now, std::vector<std::unique_ptr<SceneEntry>> wanted);
   /// Returns whether the item itself must be redrawn.
   bool update_entry(SceneEntry& now, SceneEntry& wanted);

@@ -50,6 +50,7 @@ TEST_F(MovingObjects, ChangesTheOrder) {
             text(named_triangle("a") + named_triangle("d") + named_triangle("b") + named_triangle("c")));
   EXPECT_EQ(text_after(move_objects(scene, {{1}, {2}}, place_after(scene, grf::ScenePath{1}), diagnostics_)),
             grf::to_text(scene));
+  EXPECT_THAT(paths_, ElementsAre(grf::ScenePath{1}, grf::ScenePath{2}));
 }
 
 TEST_F(MovingObjects, KeepsTheirPlaceInWorldSpace) {
