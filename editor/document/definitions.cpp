@@ -201,6 +201,30 @@ std::string fresh_name(const grf::Scene& scene, const std::string& wanted) {
   return name;
 }
 
+bool keeps_references(const grf::Scene& scene, const std::vector<grf::ScenePath>& blocks,
+                      grf::ScenePathView place, grf::Diagnostics& diagnostics) {
+  std::unordered_map<std::string_view, const grf::Definition*> there;
+  for (const PlacedDefinition& each : definitions_at(scene, place))
+    there.emplace(each.definition->name, each.definition);
+  const References references = references_of(scene);
+  for (const FoundReference& reference : references.all) {
+    if (reference.definition == nullptr) continue;
+    const auto block = std::ranges::find_if(
+        blocks, [&](const grf::ScenePath& each) { return is_inside(reference.owner, each); });
+    if (block == blocks.end()) continue;
+    const bool is_own = std::ranges::any_of(
+        references.places.at(reference.definition),
+        [&](const grf::ScenePath& each) { return each != *block && is_inside(each, *block); });
+    const auto found = there.find(reference.name);
+    if (is_own || (found != there.end() && found->second == reference.definition)) continue;
+    diagnostics.error(reference.definition->location,
+                      fmt::format("it uses '{}', which {} there", reference.name,
+                                  found == there.end() ? "is not defined" : "is the name of something else"));
+    return false;
+  }
+  return true;
+}
+
 std::optional<Defined> define(const grf::Scene& scene, const std::string& wanted_name,
                               grf::Definition::Body body, grf::Diagnostics& diagnostics) {
   const DefinitionInsertion insertion = DefinitionInsertion::outermost(scene);

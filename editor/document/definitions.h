@@ -35,6 +35,11 @@ struct Defined {
   grf::ScenePath path;  ///< of the definition
 };
 
+/// Whether the references inside a block or a definition have the same meanings in the scope of another
+/// place; else reports the first that has not. The place is a path whose last index is that of a block.
+bool keeps_references(const grf::Scene& scene, const std::vector<grf::ScenePath>& blocks,
+                      grf::ScenePathView place, grf::Diagnostics& diagnostics);
+
 /// Adds a definition for the whole scene. References in the body must be valid there.
 std::optional<Defined> define(const grf::Scene& scene, const std::string& wanted_name,
                               grf::Definition::Body body, grf::Diagnostics& diagnostics);

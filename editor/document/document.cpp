@@ -139,7 +139,8 @@ QString Document::name() const { return path_.isEmpty() ? tr("Untitled") : QFile
 
 void Document::clear() { take({}, {}, {}); }
 
-void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, bool is_modified) {
+void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, EditorState state,
+                    bool is_modified) {
   undo_stack_.clear();
   origin_ = revision();
   state_ = {};
@@ -153,7 +154,7 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   imports_.clear();
   has_plain_sky_ = false;
   show(std::move(scene));
-  state_ = read_editor_state(path_, *objects_, diagnostics_);
+  if (state.hidden.fits(*objects_)) state_ = std::move(state);
   saved_state_ = state_;
   emit editor_state_changed();
   options_.open_beside(path_);
@@ -165,7 +166,7 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
 }
 
 void Document::take_import(const ImportedModel& model) {
-  take(moved(model.scene, model.path, {}), {}, model.diagnostics, true);
+  take(moved(model.scene, model.path, {}), {}, model.diagnostics, {}, true);
   add_import(model.folder);
 }
 
@@ -242,6 +243,7 @@ void Document::take_saved(const SaveResult& result) {
 }
 
 void Document::select(FaceSelection selection) {
+  selection = state_.selectable(std::move(selection));
   if (selection == selection_) return;
   set_selection(std::move(selection));
   emit selection_changed();
@@ -252,6 +254,21 @@ void Document::set_editor_state(EditorState state) {
   state_ = std::move(state);
   set_saved(saved_);
   emit editor_state_changed();
+  select(selection_);
+  std::vector<grf::ScenePath> objects = *selected_objects_;
+  std::erase_if(objects, [this](const grf::ScenePath& path) { return is_hidden(path); });
+  select_objects(std::move(objects));
+}
+
+/// Whether an object has faces, and all of them are hidden.
+bool Document::is_hidden(grf::ScenePathView object) const {
+  bool has_hidden_face = false;
+  for (const MeshInstance& instance : *objects_->instances) {
+    if (!is_inside(instance.path, object)) continue;
+    if (state_.hidden.count(instance.mesh) < state_.hidden.of_mesh(instance.mesh).size()) return false;
+    has_hidden_face = has_hidden_face || state_.hidden.count(instance.mesh) > 0;
+  }
+  return has_hidden_face;
 }
 
 void Document::select_objects(std::vector<grf::ScenePath> paths) {
@@ -379,15 +396,16 @@ void Document::show_change(const Change& change, const QByteArray* selection,
     update(*objects, scene_, path_.toStdString(), change);
     objects_ = std::move(objects);
   }
+  const bool changes_state = change.is_structural && carry_state_over(*before);
   bool selects = false;
   if (selection != nullptr || change.is_structural) {
     FaceSelection now = selection != nullptr
                             ? unpacked(*selection, *objects_)
                             : FaceCorrespondence(*before, *objects_).carried_over(selection_);
+    now = state_.selectable(std::move(now));
     selects = !(now == selection_);
     if (selects) set_selection(std::move(now));
   }
-  const bool changes_state = change.is_structural && carry_state_over(*before);
   // Listeners find the selections and the state as they are after the change.
   std::vector<grf::ScenePath> objects = selected_objects       ? *selected_objects
                                         : change.is_structural ? objects_carried_over(*before)

@@ -71,8 +71,10 @@ class Document : public QObject {
 
   /// Starts an empty scene. This cannot be undone.
   void clear();
-  /// Sets a scene as if it had been read from the path; a recovered scene counts as modified.
-  void take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, bool is_modified = false);
+  /// Sets a scene as if it had been read from the path, with the state of the editor's file beside it, which
+  /// is ignored unless it is of the scene's objects. A recovered scene counts as modified.
+  void take(grf::Scene scene, const QString& path, grf::Diagnostics diagnostics, EditorState state = {},
+            bool is_modified = false);
   /// Sets an imported model as a new, unsaved scene.
   void take_import(const ImportedModel& model);
   /// Appends the blocks of another scene, whose file is `path`, in a scope of its names, as one undo step.
@@ -90,8 +92,10 @@ class Document : public QObject {
   SaveRequest save_request(const QString& path);
   void take_saved(const SaveResult& result);
 
+  /// Selects faces; those that are hidden or locked are left out.
   void select(FaceSelection selection);
-  /// Sets the hidden, locked and named faces, which must be of `objects`.
+  /// Sets the hidden, locked and named faces, which must be of `objects`. Hidden and locked faces are
+  /// deselected, and objects of which no face is visible.
   void set_editor_state(EditorState state);
   /// Selects objects; paths that lead to no block are left out.
   void select_objects(std::vector<grf::ScenePath> paths);
@@ -149,6 +153,7 @@ class Document : public QObject {
   void show_change(const Change& change, const QByteArray* selection,
                    const std::optional<std::vector<grf::ScenePath>>& selected_objects);
   void set_selection(FaceSelection selection);
+  bool is_hidden(grf::ScenePathView object) const;
   const QByteArray& packed_selection();
   bool carry_state_over(const SceneObjects& before);
   bool set_selected_objects(std::vector<grf::ScenePath> paths);

@@ -89,6 +89,12 @@ class FaceSetReader {
 
 }  // namespace
 
+FaceSelection EditorState::selectable(FaceSelection faces) const {
+  if (!hidden.empty()) faces.remove(hidden);
+  if (!locked.empty()) faces.remove(locked);
+  return faces;
+}
+
 EditorState EditorState::carried_over(const FaceCorrespondence& correspondence) const {
   EditorState carried;
   carried.hidden = correspondence.carried_over(hidden);

@@ -23,6 +23,8 @@ struct EditorState {
 
   /// Whether no face is hidden or locked, and there is no named set.
   bool empty() const { return hidden.empty() && locked.empty() && face_sets.empty(); }
+  /// Removes the hidden and locked faces from a selection of the same objects.
+  FaceSelection selectable(FaceSelection faces) const;
   /// Returns the state for the objects after an edit.
   EditorState carried_over(const FaceCorrespondence& correspondence) const;
 

@@ -109,6 +109,44 @@ std::optional<grf::Scene> duplicate_object(const grf::Scene& scene, grf::ScenePa
   return changed;
 }
 
+std::optional<TransformedObjects> make_single(const grf::Scene& scene,
+                                              const std::vector<grf::ScenePath>& paths,
+                                              grf::Diagnostics& diagnostics) {
+  TransformedObjects result{scene, paths};
+  for (const grf::ScenePath& path : paths) {
+    const auto* block = is_in_include(scene, path) ? nullptr : block_at(scene, path);
+    const auto* use = block == nullptr ? nullptr : std::get_if<grf::Use>(&block->content);
+    if (use == nullptr) {
+      diagnostics.error({}, "only instances outside of included files can become meshes of their own");
+      return std::nullopt;
+    }
+    const std::vector<PlacedDefinition> in_scope = definitions_at(scene, path);
+    const auto defined = std::ranges::find_if(
+        in_scope, [use](const PlacedDefinition& each) { return each.definition->name == use->mesh.name; });
+    if (defined == in_scope.end()) {
+      report_missing(diagnostics);
+      return std::nullopt;
+    }
+    if (!keeps_references(scene, {defined->path}, path, diagnostics)) return std::nullopt;
+    grf::Shared<grf::Mesh> single = std::get<grf::Shared<grf::Mesh>>(defined->definition->body);
+    single.edit().name = use->mesh.name;
+    grf::find(result.scene, path).block->content = std::move(single);
+  }
+  return result;
+}
+
+std::optional<TransformedObjects> make_instance(const grf::Scene& scene, const grf::ScenePath& path,
+                                                grf::Diagnostics& diagnostics) {
+  const grf::Block* block = is_in_include(scene, path) ? nullptr : block_at(scene, path);
+  if (block == nullptr || !std::holds_alternative<grf::Shared<grf::Mesh>>(block->content)) {
+    diagnostics.error({}, "only meshes outside of included files can become definitions");
+    return std::nullopt;
+  }
+  TransformedObjects result{scene, {path}};
+  define_mesh(result.scene, path, result.paths.front());
+  return result;
+}
+
 std::optional<grf::Scene> rename_object(const grf::Scene& scene, grf::ScenePathView path,
                                         const std::string& name, grf::Diagnostics& diagnostics) {
   if (definition_at(scene, path) != nullptr) return rename_definition(scene, path, name, diagnostics);

@@ -68,48 +68,14 @@ class StepsEdit {
   void apply(const grf::ScenePath& path, const Change& change) {
     const grf::ScenePath transform = own_transform(scene_, path);
     const grf::ScenePath& place = transform.empty() ? path : transform;
-    TransformSteps steps = transform.empty() ? TransformSteps() : steps_at(scene_, transform);
+    grf::Block& block = *grf::find(scene_, place).block;
+    TransformSteps steps = block_steps(block);
     change(steps, to_world_at(scene_, place));
-    if (transform.empty()) {
-      if (!steps.empty()) wrap(path, std::move(steps));
-    } else {
-      set(transform, std::move(steps));
-    }
+    const int levels = set_block_steps(block, std::move(steps));
+    for (grf::ScenePath& each : paths_) follow_levels(each, place, levels);
   }
 
  private:
-  void wrap(const grf::ScenePath& path, TransformSteps steps) {
-    grf::Block& block = *grf::find(scene_, path).block;
-    grf::Transform transform;
-    transform.steps = std::move(steps);
-    grf::Block wrapping;
-    wrapping.location = block.location;
-    transform.body.blocks.push_back(std::move(block));
-    wrapping.content = std::move(transform);
-    block = std::move(wrapping);
-    const auto depth = static_cast<std::ptrdiff_t>(path.size());
-    for (grf::ScenePath& each : paths_) {
-      if (is_inside(each, path)) each.insert(each.begin() + depth, 0);
-    }
-  }
-
-  void set(const grf::ScenePath& path, TransformSteps steps) {
-    grf::Block& block = *grf::find(scene_, path).block;
-    auto& transform = std::get<grf::Transform>(block.content);
-    const bool is_needed = !steps.empty() || transform.body.blocks.size() != 1 || !block.comments.empty() ||
-                           !transform.body.end_comments.empty();
-    // GRF has no transform without a step.
-    if (steps.empty()) steps.push_back({Kind::Translation, grf::Vec3f(0)});
-    transform.steps = std::move(steps);
-    if (is_needed) return;
-    grf::Block child = std::move(transform.body.blocks.front());
-    block = std::move(child);
-    const auto depth = static_cast<std::ptrdiff_t>(path.size());
-    for (grf::ScenePath& each : paths_) {
-      if (each.size() > path.size() && is_inside(each, path)) each.erase(each.begin() + depth);
-    }
-  }
-
   grf::Scene& scene_;
   std::vector<grf::ScenePath>& paths_;
 };
@@ -205,6 +171,42 @@ Vec3d centre_of(const grf::Scene& scene, const SceneObjects& objects, const grf:
 }
 
 }  // namespace
+
+TransformSteps block_steps(const grf::Block& block) {
+  const auto* transform = std::get_if<grf::Transform>(&block.content);
+  return transform == nullptr ? TransformSteps() : transform->steps;
+}
+
+int set_block_steps(grf::Block& block, TransformSteps steps) {
+  auto* transform = std::get_if<grf::Transform>(&block.content);
+  if (transform == nullptr && steps.empty()) return 0;
+  if (transform == nullptr) {
+    grf::Transform around;
+    around.steps = std::move(steps);
+    grf::Block wrapping;
+    wrapping.location = block.location;
+    around.body.blocks.push_back(std::move(block));
+    wrapping.content = std::move(around);
+    block = std::move(wrapping);
+    return 1;
+  }
+  const bool is_needed = !steps.empty() || transform->body.blocks.size() != 1 || !block.comments.empty() ||
+                         !transform->body.end_comments.empty();
+  // GRF has no transform without a step.
+  if (steps.empty()) steps.push_back({Kind::Translation, grf::Vec3f(0)});
+  transform->steps = std::move(steps);
+  if (is_needed) return 0;
+  grf::Block child = std::move(transform->body.blocks.front());
+  block = std::move(child);
+  return -1;
+}
+
+void follow_levels(grf::ScenePath& path, grf::ScenePathView block, int levels) {
+  const auto below = path.begin() + static_cast<std::ptrdiff_t>(std::min(block.size(), path.size()));
+  if (!is_inside(path, block)) return;
+  if (levels > 0) path.insert(below, 0);
+  if (levels < 0 && below != path.end()) path.erase(below);
+}
 
 Matrix44d TransformAction::matrix() const {
   Matrix44d back;

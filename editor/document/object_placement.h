@@ -76,6 +76,14 @@ std::optional<TransformedObjects> reset_transforms(const grf::Scene& scene,
                                                    const std::vector<grf::ScenePath>& paths,
                                                    grf::Diagnostics& diagnostics);
 
+/// The steps of a block that is a transform; empty for another one.
+TransformSteps block_steps(const grf::Block& block);
+/// Gives a block other steps: a transform is added around it where it is none, or removed where it has no
+/// effect. Returns by how many levels its contents are deeper.
+int set_block_steps(grf::Block& block, TransformSteps steps);
+/// Updates a path after the contents of a block became deeper by so many levels.
+void follow_levels(grf::ScenePath& path, grf::ScenePathView block, int levels);
+
 /// Translates a block in world space, also one of an included file.
 void translate_block(grf::Scene& scene, const grf::ScenePath& path, const grf::Vec3d& offset);
 

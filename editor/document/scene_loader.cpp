@@ -83,6 +83,7 @@ SceneLoader::Outcome SceneLoader::outcome_of(const QString& file, ImportedModel 
   loaded->path = file;
   loaded->objects = std::make_shared<const SceneObjects>(objects_of(model.scene, model.path.toStdString()));
   loaded->model = std::move(model);
+  if (is_grf(file)) loaded->state = read_editor_state(file, *loaded->objects, loaded->model.diagnostics);
   Outcome outcome;
   outcome.scene = std::move(loaded);
   outcome.files.append(file);

@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <memory>
 
+#include "editor/document/editor_state.h"
 #include "editor/document/model_import.h"
 #include "editor/document/scene_objects.h"
 #include "editor/jobs/background_job.h"
@@ -18,6 +19,7 @@ struct LoadedScene {
   QString path;         ///< of the file
   ImportedModel model;  ///< of a GRF file: its scene and diagnostics
   std::shared_ptr<const SceneObjects> objects;
+  EditorState state;  ///< of the editor's file beside a GRF file
 };
 
 /// Why a file could not be loaded.

@@ -185,7 +185,7 @@ FaceQuery FaceQueryDialog::query() const {
 }
 
 FaceSelection FaceQueryDialog::found() const {
-  return find_faces(query(), document_.selection(), document_.objects());
+  return document_.editor_state().selectable(find_faces(query(), document_.selection(), document_.objects()));
 }
 
 void FaceQueryDialog::update_soon() {

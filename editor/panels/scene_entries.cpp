@@ -18,8 +18,16 @@ namespace {
 
 using Kind = SceneEntry::Kind;
 
-QString face_count(const grf::Mesh& mesh) {
-  return counted(mesh.face_count(), SceneTree::tr("1 face"), SceneTree::tr("%1 faces"));
+QString count_of_faces(std::size_t faces) {
+  return counted(faces, SceneTree::tr("1 face"), SceneTree::tr("%1 faces"));
+}
+QString face_count(const grf::Mesh& mesh) { return count_of_faces(mesh.face_count()); }
+
+/// The numbers of objects and faces in an item.
+QString numbers_in(const SceneEntry& entry) {
+  const QString objects =
+      counted(entry.children.size(), SceneTree::tr("1 object"), SceneTree::tr("%1 objects"));
+  return entry.faces == 0 ? objects : SceneTree::tr("%1, %2").arg(objects, count_of_faces(entry.faces));
 }
 
 QString text_of(const grf::Vec3f& v, int digits = 4) {
@@ -59,8 +67,7 @@ class Builder {
         SceneTree::tr("Objects"), SceneTree::tr("The objects of the scene, nested as in its scene graph")));
     path_.clear();
     add_blocks(document_.scene().contents, 0, *objects);
-    objects->detail =
-        objects->children.empty() ? SceneTree::tr("none") : QString::number(objects->children.size());
+    objects->detail = objects->children.empty() ? SceneTree::tr("none") : numbers_in(*objects);
     const std::vector<std::pair<QString, Kind>> kinds = {
         {SceneTree::tr("BRDFs"), Kind::Brdf},
         {SceneTree::tr("Sampling schemes"), Kind::Pdf},
@@ -95,6 +102,7 @@ class Builder {
     made->path = path_;
     const auto mesh = meshes_.find(path_);
     if (mesh != meshes_.end()) made->mesh = mesh->second;
+    if (made->mesh) made->faces = document_.objects().meshes[*made->mesh].mesh->face_count();
     return made;
   }
 
@@ -200,6 +208,7 @@ bool SceneEntry::can_be_renamed() const { return is_definition() || kind == Kind
 SceneEntry* SceneEntry::add(std::unique_ptr<SceneEntry> child) {
   child->parent = this;
   child->row = static_cast<int>(children.size());
+  if (!child->is_definition()) faces += child->faces;
   children.push_back(std::move(child));
   return children.back().get();
 }
@@ -218,9 +227,7 @@ QString display_name_of(const grf::Mesh& mesh) {
 QString contents_of(const SceneEntry& transform) {
   const SceneEntry* only = &transform;
   while (only->children.size() == 1) only = only->children.front().get();
-  return only != &transform && only->children.empty()
-             ? only->name
-             : counted(transform.children.size(), SceneTree::tr("1 object"), SceneTree::tr("%1 objects"));
+  return only != &transform && only->children.empty() ? only->name : numbers_in(transform);
 }
 
 std::unique_ptr<SceneEntry> entries_of(const Document& document) { return Builder(document).build(); }

@@ -2,13 +2,17 @@
 
 #include <QFont>
 #include <QMimeData>
+#include <QScopedValueRollback>
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "editor/appearance/icons.h"
 #include "editor/document/brdf_mime.h"
 #include "editor/document/object_edits.h"
+#include "editor/document/object_mime.h"
+#include "editor/document/object_order.h"
 #include "editor/document/scene_places.h"
 
 namespace editor {
@@ -20,6 +24,18 @@ bool for_each_entry(Entry& entry, const Action& action) {
   return std::ranges::all_of(entry.children, [&action](const auto& child) {
     return action(*child) && for_each_entry(*child, action);
   });
+}
+
+/// Whether the faces of an item and of its descendants are all in a set; nothing for an item without faces.
+std::optional<bool> all_faces_are_in(const SceneEntry& line, const FaceSelection& faces) {
+  std::optional<bool> are_all;
+  const auto add = [&](const SceneEntry& entry) {
+    if (!entry.mesh) return true;
+    are_all = faces.count(*entry.mesh) == faces.of_mesh(*entry.mesh).size();
+    return *are_all;
+  };
+  if (add(line)) for_each_entry(line, add);
+  return are_all;
 }
 
 /// The number of unchanged items at the beginning and at the end.
@@ -48,8 +64,8 @@ Kept kept(const std::vector<std::unique_ptr<SceneEntry>>& now,
 SceneModel::SceneModel(Document& document, QObject* parent)
     : QAbstractItemModel(parent), document_(document), root_(entries_of(document)) {
   connect(&document_, &Document::changed, this, &SceneModel::update_scene);
-  connect(&document_, &Document::selection_changed, this, &SceneModel::update_selection);
-  update_selection();
+  connect(&document_, &Document::selection_changed, this, [this] { update_selection(*root_); });
+  update_selection(*root_);
 }
 
 SceneModel::~SceneModel() = default;
@@ -95,26 +111,50 @@ int SceneModel::rowCount(const QModelIndex& parent) const {
   return parent.column() > 0 ? 0 : static_cast<int>(entry(parent)->children.size());
 }
 
-int SceneModel::columnCount(const QModelIndex&) const { return 2; }
+int SceneModel::columnCount(const QModelIndex&) const { return ColumnCount; }
+
+QIcon SceneModel::cached_icon(const QString& name) const {
+  if (!icons_.contains(name)) icons_.insert(name, icon(name));
+  return icons_.value(name);
+}
+
+/// Whether all faces of an item are hidden or locked; nothing for an item without faces.
+QVariant SceneModel::face_state(const SceneEntry& line, int column, int role) const {
+  const EditorState& state = document_.editor_state();
+  const bool is_lock = column == LockedColumn;
+  const auto is_all = all_faces_are_in(line, is_lock ? state.locked : state.hidden);
+  if (!is_all) return {};
+  switch (role) {
+    case Qt::DecorationRole:
+      return cached_icon(is_lock ? (*is_all ? "lock" : "unlocked") : (*is_all ? "eye_closed" : "eye"));
+    case Qt::AccessibleTextRole:
+      return is_lock ? (*is_all ? tr("locked") : tr("not locked")) : (*is_all ? tr("hidden") : tr("visible"));
+    case Qt::ToolTipRole:
+      return is_lock
+                 ? (*is_all ? tr("Unlock the faces") : tr("Lock the faces: the view does not select them"))
+                 : (*is_all ? tr("Show the faces") : tr("Hide the faces in the view"));
+    default:
+      return {};
+  }
+}
 
 QVariant SceneModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const SceneEntry& line = *entry(index);
+  if (index.column() >= VisibleColumn) return face_state(line, index.column(), role);
   if (role == Qt::ToolTipRole) return line.help;
   if (role == Qt::FontRole && line.has_selection) {
     QFont font;
     font.setBold(true);
     return font;
   }
-  if (index.column() == 1) {
+  if (index.column() == DetailColumn) {
     if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     return role == Qt::DisplayRole ? line.detail : QVariant();
   }
   if (role == Qt::DisplayRole || role == Qt::EditRole) return line.name;
   if (role != Qt::DecorationRole || line.kind == SceneEntry::Kind::Group) return {};
-  const int kind = static_cast<int>(line.kind);
-  if (!icons_.contains(kind)) icons_.insert(kind, icon(icon_of(line.kind)));
-  return icons_.value(kind);
+  return cached_icon(icon_of(line.kind));
 }
 
 bool SceneModel::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -137,13 +177,61 @@ Qt::ItemFlags SceneModel::flags(const QModelIndex& index) const {
   Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
   const SceneEntry& line = *entry(index);
   if (index.column() == 0 && line.can_be_renamed()) flags |= Qt::ItemIsEditable;
-  if (line.kind == SceneEntry::Kind::Brdf) flags |= Qt::ItemIsDragEnabled;
+  const bool has_mesh = line.kind == SceneEntry::Kind::DefinedMesh;
+  const bool can_move = line.is_object() && line.kind != SceneEntry::Kind::Observer;
+  if (can_move || has_mesh || line.kind == SceneEntry::Kind::Brdf) flags |= Qt::ItemIsDragEnabled;
+  if (holds_objects(line)) flags |= Qt::ItemIsDropEnabled;
   return flags;
 }
 
-QStringList SceneModel::mimeTypes() const { return {BrdfMimeType, BrdfNameMimeType}; }
+/// Whether objects can be dropped on an item.
+bool SceneModel::holds_objects(const SceneEntry& line) const {
+  return (line.kind == SceneEntry::Kind::Transform && !is_in_include(document_.scene(), line.path)) ||
+         &line == root_->children.front().get();
+}
+
+QStringList SceneModel::mimeTypes() const { return {BrdfMimeType, BrdfNameMimeType, ObjectsMimeType}; }
+
+bool SceneModel::canDropMimeData(const QMimeData* data, Qt::DropAction, int, int,
+                                 const QModelIndex& parent) const {
+  return data->hasFormat(ObjectsMimeType) && parent.isValid() && holds_objects(*entry(parent));
+}
+
+bool SceneModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                              const QModelIndex& parent) {
+  const std::vector<grf::ScenePath> paths = paths_of(*data);
+  if (paths.empty() || !canDropMimeData(data, action, row, column, parent)) return false;
+  const grf::Scene& scene = document_.scene();
+  const SceneEntry& around = *entry(parent);
+  const auto& lines = around.children;
+  const bool is_at_end = row < 0 || row >= static_cast<int>(lines.size());
+  BlockPlace place = place_at_end(scene, around.path);
+  if (!is_at_end) {
+    place = place_before(scene, lines[static_cast<std::size_t>(row)]->path);
+  } else if (!lines.empty() && row >= 0) {
+    place = place_after(scene, lines.back()->path);
+  }
+  grf::Diagnostics diagnostics;
+  const bool is_definition = definition_at(scene, paths.front()) != nullptr;
+  auto edited = is_definition ? use_definition(scene, paths.front(), place, diagnostics)
+                              : move_objects(scene, paths, place, diagnostics);
+  if (!edited) {
+    emit problem_found(QString::fromStdString(diagnostics.entries().front().message));
+    return false;
+  }
+  emit problem_found({});
+  document_.replace_objects(is_definition ? tr("Add instance") : tr("Move in the list"), std::move(*edited));
+  return true;
+}
 
 QMimeData* SceneModel::mimeData(const QModelIndexList& indexes) const {
+  std::vector<grf::ScenePath> paths;
+  for (const QModelIndex& index : indexes) {
+    const SceneEntry& line = *entry(index);
+    const bool is_draggable = line.is_object() || line.kind == SceneEntry::Kind::DefinedMesh;
+    if (index.column() == NameColumn && is_draggable) paths.push_back(line.path);
+  }
+  if (!paths.empty()) return mime_of(paths).release();
   for (const QModelIndex& index : indexes) {
     const grf::Definition* definition = definition_at(document_.scene(), entry(index)->path);
     const auto* brdf = definition == nullptr ? nullptr : std::get_if<grf::BrdfModel>(&definition->body);
@@ -159,8 +247,9 @@ void SceneModel::update_scene(const Change& change) {
     if (change.names) update_names(change);
     return;
   }
+  const QScopedValueRollback guard(is_updating_, true);
   update_children(*root_, std::move(entries_of(document_)->children));
-  update_selection();
+  update_selection(*root_);
 }
 
 /// Renames meshes, and transforms that are named after their contents.
@@ -182,16 +271,22 @@ void SceneModel::update_names(const Change& change) {
   });
 }
 
-void SceneModel::update_selection() {
+void SceneModel::update_selection(SceneEntry& parent) {
   const FaceSelection& selection = document_.selection();
-  for_each_entry(*root_, [&](SceneEntry& line) {
+  // Views are notified once for all items of a parent, as in `update_children`.
+  const SceneEntry* first = nullptr;
+  const SceneEntry* last = nullptr;
+  for (const auto& child : parent.children) {
+    SceneEntry& line = *child;
     const bool has = line.mesh && *line.mesh < selection.mesh_count() && selection.count(*line.mesh) > 0;
     if (std::exchange(line.has_selection, has) != has) {
-      const QModelIndex index = index_of(line);
-      emit dataChanged(index, index.siblingAtColumn(1), {Qt::FontRole});
+      last = &line;
+      if (first == nullptr) first = last;
     }
-    return true;
-  });
+    update_selection(line);
+  }
+  if (first != nullptr)
+    emit dataChanged(index_of(*first), index_of(*last).siblingAtColumn(DetailColumn), {Qt::FontRole});
 }
 
 void SceneModel::update_children(SceneEntry& now, std::vector<std::unique_ptr<SceneEntry>> wanted) {
@@ -238,6 +333,7 @@ bool SceneModel::update_entry(SceneEntry& now, SceneEntry& wanted) {
   now.help = wanted.help;
   now.path = wanted.path;
   now.mesh = wanted.mesh;
+  now.faces = wanted.faces;
   now.observer = wanted.observer;
   update_children(now, std::move(wanted.children));
   return looks_other;

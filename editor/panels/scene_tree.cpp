@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QScopedValueRollback>
 #include <QStackedWidget>
 #include <QTreeView>
@@ -60,8 +61,12 @@ SceneTree::SceneTree(Document& document, QWidget* parent)
   connect(model_, &SceneModel::problem_found, this,
           [this](const QString& text) { show_or_hide(problem_, text); });
   connect(&document_, &Document::selection_changed, this, &SceneTree::show_selection);
-  connect(&document_, &Document::changed, this, &SceneTree::show_selection);
+  connect(&document_, &Document::changed, this, [this] {
+    show_selection();
+    show_selected_objects();
+  });
   connect(&document_, &Document::selected_objects_changed, this, &SceneTree::show_selected_objects);
+  connect(&document_, &Document::editor_state_changed, view_->viewport(), qOverload<>(&QWidget::update));
   show_selection();
 }
 
@@ -74,14 +79,21 @@ void SceneTree::make_view() {
   view_->header()->setStretchLastSection(false);
   view_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   view_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  view_->header()->setMinimumSectionSize(3 * Grid);
+  for (const int column : {SceneModel::VisibleColumn, SceneModel::LockedColumn}) {
+    view_->header()->setSectionResizeMode(column, QHeaderView::Fixed);
+    view_->header()->resizeSection(column, 3 * Grid);
+  }
+  view_->viewport()->installEventFilter(this);
   view_->header()->setResizeContentsPrecision(0);  // of the lines that are seen: there may be thousands
   view_->setUniformRowHeights(true);
   view_->setIndentation(2 * Grid);
   view_->setIconSize({2 * Grid, 2 * Grid});
   view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  view_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+  view_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
   view_->setDragEnabled(true);
-  view_->setDragDropMode(QAbstractItemView::DragOnly);
+  view_->setDragDropMode(QAbstractItemView::DragDrop);
+  view_->setDefaultDropAction(Qt::MoveAction);
   view_->setFrameShape(QFrame::NoFrame);
   view_->setContextMenuPolicy(Qt::ActionsContextMenu);
   view_->expandToDepth(0);
@@ -109,19 +121,52 @@ void SceneTree::make_actions() {
                        &SceneTree::remove_chosen);
   remove_unused_ = add_action("reset", tr("Delete unused definitions"), QKeySequence("Ctrl+Del"),
                               tr("Delete all definitions that nothing refers to"), &SceneTree::remove_unused);
+  hide_ = add_action("eye", tr("Hide or show"), QKeySequence("Ctrl+H"),
+                     tr("Hide the faces of the selected items in the view, or show them again"),
+                     &SceneTree::toggle_hidden);
+  lock_ = add_action("lock", tr("Lock or unlock"), QKeySequence("Ctrl+Shift+K"),
+                     tr("Make the view not select the faces of the selected items, or select them again"),
+                     &SceneTree::toggle_locked);
   update_actions();
 }
 
 void SceneTree::update_actions() {
   const std::vector<const SceneEntry*> entries = chosen_entries();
-  const auto stands = [](const SceneEntry* entry) {
-    return entry->kind != SceneEntry::Kind::Group && !entry->is_definition();
-  };
   rename_->setEnabled(entries.size() == 1 && entries.front()->can_be_renamed());
-  duplicate_->setEnabled(entries.size() == 1 && stands(entries.front()) &&
+  duplicate_->setEnabled(entries.size() == 1 && entries.front()->is_object() &&
                          entries.front()->kind != SceneEntry::Kind::Observer);
+  hide_->setEnabled(!entries.empty());
+  lock_->setEnabled(!entries.empty());
   remove_->setEnabled(std::ranges::any_of(
       entries, [](const SceneEntry* entry) { return entry->kind != SceneEntry::Kind::Group; }));
+}
+
+/// Adds the faces to the set, or removes them if all are in it.
+void SceneTree::toggle(FaceSelection EditorState::*set, const std::vector<const SceneEntry*>& entries) {
+  FaceSelection faces(document_.objects());
+  for (const SceneEntry* entry : entries) add_faces(*entry, faces);
+  if (faces.empty()) return;
+  EditorState state = document_.editor_state();
+  FaceSelection outside = faces;
+  outside.remove(state.*set);
+  outside.empty() ? (state.*set).remove(faces) : (state.*set).add(faces);
+  document_.set_editor_state(std::move(state));
+}
+
+/// Handles clicks on the columns that hide and lock, which select no item. On one of several selected items
+/// they apply to all of these.
+bool SceneTree::eventFilter(QObject* watched, QEvent* event) {
+  const bool is_press =
+      event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonDblClick;
+  if (watched != view_->viewport() || !is_press) return QWidget::eventFilter(watched, event);
+  const auto& pointer = static_cast<QMouseEvent&>(*event);
+  const QModelIndex index = view_->indexAt(pointer.position().toPoint());
+  if (pointer.button() != Qt::LeftButton || index.column() < SceneModel::VisibleColumn) return false;
+  const SceneEntry* entry = model_->entry(filter_->mapToSource(index));
+  std::vector<const SceneEntry*> entries = chosen_entries();
+  if (std::ranges::find(entries, entry) == entries.end()) entries = {entry};
+  toggle(index.column() == SceneModel::LockedColumn ? &EditorState::locked : &EditorState::hidden, entries);
+  return true;
 }
 
 QSize SceneTree::sizeHint() const { return {280, 640}; }
@@ -143,7 +188,7 @@ std::vector<const SceneEntry*> SceneTree::chosen_entries() const {
 
 void SceneTree::select_faces_of_chosen() {
   update_actions();
-  if (is_selecting_) return;
+  if (is_selecting_ || model_->is_updating()) return;
   const QScopedValueRollback guard(is_selecting_, true);
   const std::vector<const SceneEntry*> entries = chosen_entries();
   FaceSelection selection(document_.objects());
@@ -156,7 +201,7 @@ void SceneTree::select_faces_of_chosen() {
   document_.select(std::move(selection));
   std::vector<grf::ScenePath> objects;
   for (const SceneEntry* entry : entries) {
-    if (entry->kind != SceneEntry::Kind::Group && !entry->is_definition()) objects.push_back(entry->path);
+    if (entry->is_object()) objects.push_back(entry->path);
   }
   document_.select_objects(std::move(objects));
   show_or_hide(problem_, {});

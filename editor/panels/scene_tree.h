@@ -19,7 +19,7 @@ class SceneModel;
 struct SceneEntry;
 
 /// The scene outliner: a searchable tree of the scene's contents. Selecting an item selects its faces; items
-/// with selected faces are bold. BRDFs can be dragged from it.
+/// with selected faces are bold. Its last columns hide and lock faces. BRDFs can be dragged from it.
 class SceneTree : public QWidget {
   Q_OBJECT
 
@@ -32,6 +32,7 @@ class SceneTree : public QWidget {
 
   QTreeView* view() const { return view_; }
   QSize sizeHint() const override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  signals:
   /// Emitted with the path of the selected item; empty for none or a group.
@@ -51,6 +52,9 @@ class SceneTree : public QWidget {
   void duplicate_chosen();
   void remove_chosen();
   void remove_unused();
+  void toggle_hidden() { toggle(&EditorState::hidden, chosen_entries()); }
+  void toggle_locked() { toggle(&EditorState::locked, chosen_entries()); }
+  void toggle(FaceSelection EditorState::*set, const std::vector<const SceneEntry*>& entries);
   std::vector<const SceneEntry*> chosen_entries() const;
   void put(const QString& text, std::optional<grf::Scene> scene, const grf::Diagnostics& diagnostics);
 
@@ -65,6 +69,8 @@ class SceneTree : public QWidget {
   QAction* duplicate_ = nullptr;
   QAction* remove_ = nullptr;
   QAction* remove_unused_ = nullptr;
+  QAction* hide_ = nullptr;
+  QAction* lock_ = nullptr;
   bool is_selecting_ = false;  // of this tree's own accord
 };
 

@@ -1,6 +1,7 @@
 #include "editor/rendering/render_panel.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QDir>
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -21,6 +22,7 @@
 #include "editor/appearance/theme.h"
 #include "editor/controls/form_widgets.h"
 #include "editor/document/document.h"
+#include "editor/document/geometry_edits.h"
 #include "editor/document/op_document.h"
 #include "editor/document/op_files.h"
 #include "editor/jobs/job_list.h"
@@ -51,6 +53,9 @@ RenderPanel::RenderPanel(Document& document, JobList& jobs, const QString& progr
   connect_final();
   connect(&document_, &Document::changed, this, &RenderPanel::follow);
   connect(&document_, &Document::path_changed, this, &RenderPanel::follow);
+  connect(&document_, &Document::editor_state_changed, this, [this] {
+    if (without_hidden_->isChecked()) follow();
+  });
   connect(&options_, &OpDocument::changed, this, &RenderPanel::show_options);
   connect(&options_, &OpDocument::path_changed, this,
           [this] { log(QString::fromStdString(options_.diagnostics().to_text())); });
@@ -97,6 +102,13 @@ QWidget* RenderPanel::make_controls() {
     buttons->addWidget(button);
   }
   settings_ = new RenderSettingsRow(controls);
+  without_hidden_ = new QCheckBox(tr("Without &hidden faces"), controls);
+  without_hidden_->setAccessibleName(tr("Without hidden faces"));
+  without_hidden_->setToolTip(
+      tr("Preview the scene without the faces that are hidden in the 3D view; final renders have all faces"));
+  connect(without_hidden_, &QCheckBox::toggled, this, [this] {
+    if (preview_.is_on()) restart_preview();
+  });
   progress_ = new QProgressBar(controls);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
@@ -108,6 +120,7 @@ QWidget* RenderPanel::make_controls() {
   status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   column->addLayout(buttons);
   column->addWidget(settings_);
+  column->addWidget(without_hidden_);
   column->addStretch();
   column->addWidget(progress_);
   column->addWidget(status_);
@@ -340,7 +353,18 @@ void RenderPanel::restart_preview() {
   curve_->clear();
   show_status(tr("Preview"));
   previewed_options_ = preview_options();
-  preview_.restart({document_.scene(), document_.path().toStdString(), previewed_options_,
+  hiding_.stop();
+  const FaceSelection& hidden = document_.editor_state().hidden;
+  if (!without_hidden_->isChecked() || hidden.empty()) return show_in_preview(document_.scene());
+  hiding_.start(
+      [scene = document_.scene(), objects = document_.shared_objects(), hidden](const StopFlag&) {
+        return without_faces({scene, *objects, hidden});
+      },
+      [this](const grf::Scene& scene) { show_in_preview(scene); });
+}
+
+void RenderPanel::show_in_preview(const grf::Scene& scene) {
+  preview_.restart({scene, document_.path().toStdString(), previewed_options_,
                     preview_view_ ? std::optional(preview_view_->camera) : view_,
                     preview_view_ && preview_view_->denoises});
   update_actions();
@@ -426,6 +450,7 @@ void RenderPanel::stop() {
     return final_.stop();
   }
   follows_ = false;
+  hiding_.stop();
   preview_.stop();
 }
 

@@ -5,10 +5,12 @@
 #include <QWidget>
 #include <optional>
 
+#include "editor/jobs/background_job.h"
 #include "editor/rendering/final_render.h"
 #include "editor/rendering/preview.h"
 
 class QAction;
+class QCheckBox;
 class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
@@ -91,6 +93,7 @@ class RenderPanel : public QWidget {
   void start_preview();
   void follow();
   options::RenderOptions preview_options() const;
+  void show_in_preview(const grf::Scene& scene);
   void render();
   void render_cameras();
   void render_animation();
@@ -129,12 +132,14 @@ class RenderPanel : public QWidget {
   QAction* stop_action_;
   QAction* options_action_;
   RenderSettingsRow* settings_;
+  QCheckBox* without_hidden_;
   QProgressBar* progress_;
   QLabel* status_;
   FittedImage* image_;
   ErrorCurve* curve_;
   QPlainTextEdit* log_;
   RenderHistory* history_;
+  BackgroundJob<grf::Scene> hiding_{this};  ///< removes hidden faces for the preview
   Preview preview_;
   FinalRender final_;
 };

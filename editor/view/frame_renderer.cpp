@@ -204,8 +204,7 @@ void FrameRenderer::add_line_steps(const SharedJob& job, std::vector<Step>& step
     if (!uses_proxy) {
       for (std::uint32_t mesh = 0; mesh < job->scene.faces().first_face.size(); ++mesh) {
         MeshBuffers* buffers = job->scene.mesh(mesh);
-        if (buffers != nullptr && !buffers->has_edges())
-          buffers->set_edges(job->scene.geometry(mesh)->edges());
+        if (buffers != nullptr && !buffers->has_edges()) buffers->set_edges(*job->scene.geometry(mesh));
       }
     }
     const auto count = uses_proxy ? &MeshBuffers::triangle_count : &MeshBuffers::edge_count;

@@ -101,9 +101,11 @@ void MeshGeometry::cut_faces() {
   }
 }
 
-std::vector<MeshGeometry::Edge> MeshGeometry::edges() const {
+std::vector<MeshGeometry::Edge> MeshGeometry::edges(const FaceSelection::Faces& hidden) const {
   std::vector<Edge> edges;
-  grf::for_each_edge(grf::half_edges_of(*geometry_, {}), [&edges](std::span<const grf::HalfEdge> of_faces) {
+  const auto is_hidden = [&hidden](const grf::HalfEdge& edge) { return hidden[edge.face]; };
+  grf::for_each_edge(grf::half_edges_of(*geometry_, {}), [&](std::span<const grf::HalfEdge> of_faces) {
+    if (!hidden.empty() && std::ranges::all_of(of_faces, is_hidden)) return;
     const std::uint64_t ends = of_faces.front().places;
     edges.push_back({static_cast<std::uint32_t>(ends >> 32U), static_cast<std::uint32_t>(ends)});
   });
@@ -120,13 +122,14 @@ void MeshGeometry::enclose_triangles() {
   for (const grf::Box3f& box : boxes_) bounds_.extendBy(box);
 }
 
-std::optional<MeshHit> MeshGeometry::intersect(const ViewRay& ray) const {
+std::optional<MeshHit> MeshGeometry::intersect(const ViewRay& ray, const FaceSelection::Faces& hidden) const {
   const Vec3d inverse(1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z);
   MeshHit nearest{std::numeric_limits<double>::infinity(), 0};
   for (std::size_t box = 0; box < boxes_.size(); ++box) {
     if (!meets(boxes_[box], ray.origin, inverse, ray.nearest, nearest.distance)) continue;
     const std::size_t end = std::min((box + 1) * TrianglesPerBox, arrays_.triangles.size());
     for (std::size_t i = box * TrianglesPerBox; i < end; ++i) {
+      if (!hidden.empty() && hidden[arrays_.face_of_triangle[i]]) continue;
       const auto& [a, b, c] = arrays_.triangles[i];
       const auto distance = intersect_triangle(ray, Vec3d(arrays_.positions[a]), Vec3d(arrays_.positions[b]),
                                                Vec3d(arrays_.positions[c]));

@@ -8,6 +8,7 @@
 
 #include <ImathVec.h>
 
+#include "editor/document/face_selection.h"
 #include "editor/view/view_camera.h"
 #include "grf/mesh.h"
 
@@ -40,9 +41,10 @@ class MeshGeometry {
   explicit MeshGeometry(const grf::Mesh& mesh);
 
   const TriangleArrays& arrays() const { return arrays_; }
-  /// The edges of the polygons, each once, without those of their triangulation. They are computed on each
-  /// call, since few display modes need them.
-  std::vector<Edge> edges() const;
+  /// The edges of the polygons, each once, without those of their triangulation, and without those of hidden
+  /// faces only (one bit per face; empty: none is hidden). They are computed on each call, since few display
+  /// modes need them.
+  std::vector<Edge> edges(const FaceSelection::Faces& hidden = {}) const;
   const grf::Box3f& bounds() const { return bounds_; }
   /// The first triangle of a face; those of a face are consecutive.
   std::size_t first_triangle(std::uint32_t face) const { return geometry_.triangulation().first_of(face); }
@@ -52,8 +54,8 @@ class MeshGeometry {
   const std::vector<grf::Vec3f>& normals() const { return normals_; }
 
   /// The nearest intersection of a ray in local coordinates, with front or back faces; at equal distances the
-  /// first triangle.
-  std::optional<MeshHit> intersect(const ViewRay& ray) const;
+  /// first triangle. Hidden faces are skipped (one bit per face; empty: none is hidden).
+  std::optional<MeshHit> intersect(const ViewRay& ray, const FaceSelection::Faces& hidden = {}) const;
 
  private:
   void cut_faces();

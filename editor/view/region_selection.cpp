@@ -118,13 +118,16 @@ bool is_seen_small(const ProjectedScene& scene, const PlacedMesh& mesh, std::uin
 }  // namespace
 
 std::optional<SceneHit> intersect(const SceneObjects& objects, const std::vector<MeshShape>& shapes,
-                                  const ViewRay& ray) {
+                                  const FaceSelection& hidden, const ViewRay& ray) {
   std::optional<SceneHit> nearest;
+  const FaceSelection::Faces none;
   for (std::uint32_t i = 0; i < objects.instances->size(); ++i) {
     const MeshInstance& instance = (*objects.instances)[i];
     const auto& geometry = shapes[instance.mesh].geometry;
     if (geometry == nullptr) continue;
-    const auto hit = geometry->intersect(transformed(ray, instance.to_world.inverse()));
+    const auto hit =
+        geometry->intersect(transformed(ray, instance.to_world.inverse()),
+                            hidden.count(instance.mesh) > 0 ? hidden.of_mesh(instance.mesh) : none);
     if (!hit || (nearest && hit->distance >= nearest->distance)) continue;
     nearest = {
         {instance.mesh, geometry->arrays().face_of_triangle[hit->triangle]}, i, hit->distance, hit->triangle};

@@ -19,7 +19,7 @@ struct ProjectedScene {
   QSize size;
 };
 
-/// The nearest face on a ray in world space, and the intersection.
+/// The nearest face on a ray in world space that is not hidden, and the intersection.
 struct SceneHit {
   FaceId face;
   std::uint32_t instance = 0;
@@ -27,7 +27,7 @@ struct SceneHit {
   std::uint32_t triangle = 0;  ///< of the mesh's geometry
 };
 std::optional<SceneHit> intersect(const SceneObjects& objects, const std::vector<MeshShape>& shapes,
-                                  const ViewRay& ray);
+                                  const FaceSelection& hidden, const ViewRay& ray);
 /// The unit normal at an intersection in world space, toward the origin of the ray: interpolated if all
 /// corners of the triangle have one, else that of the triangle.
 grf::Vec3d normal_at(const SceneObjects& objects, const std::vector<MeshShape>& shapes, const ViewRay& ray,

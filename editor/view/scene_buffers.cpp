@@ -48,13 +48,15 @@ bool SceneBuffers::fits(std::size_t mesh) const {
          shown.geometry->triangle_count() <= limits_.buffer_texels;
 }
 
-bool SceneBuffers::set_shapes(const std::vector<MeshShape>& shapes) {
+bool SceneBuffers::set_shapes(const std::vector<MeshShape>& shapes, const FaceSelection& hidden) {
   const std::vector<MeshBuffers*> meshes_before = meshes_;
   auto before = std::exchange(buffers_, {});
-  const auto buffers_of = [&](const std::shared_ptr<const TriangleArrays>& arrays) {
-    auto& buffers = buffers_[arrays];
-    if (buffers == nullptr) buffers = std::move(before[arrays]);
-    if (buffers == nullptr) buffers = std::make_unique<MeshBuffers>(gl_, *arrays);
+  const auto buffers_of = [&](std::size_t mesh, const std::shared_ptr<const TriangleArrays>& arrays) {
+    const auto number = static_cast<std::uint32_t>(mesh);
+    const BuffersKey key(arrays, hidden.count(number) > 0 ? hidden.of_mesh(number) : FaceSelection::Faces());
+    auto& buffers = buffers_[key];
+    if (buffers == nullptr) buffers = std::move(before[key]);
+    if (buffers == nullptr) buffers = std::make_unique<MeshBuffers>(gl_, *arrays, key.second);
     return buffers.get();
   };
   left_out_ = 0;
@@ -63,8 +65,8 @@ bool SceneBuffers::set_shapes(const std::vector<MeshShape>& shapes) {
     const bool is_left_out = !fits(i);
     if (is_left_out) ++left_out_;
     const bool is_shown = geometry != nullptr && !is_left_out;
-    meshes_[i] = is_shown ? buffers_of({geometry, &geometry->arrays()}) : nullptr;
-    proxy_meshes_[i] = is_shown && shapes[i].proxy != nullptr ? buffers_of(shapes[i].proxy) : meshes_[i];
+    meshes_[i] = is_shown ? buffers_of(i, {geometry, &geometry->arrays()}) : nullptr;
+    proxy_meshes_[i] = is_shown && shapes[i].proxy != nullptr ? buffers_of(i, shapes[i].proxy) : meshes_[i];
   }
   return meshes_ != meshes_before;
 }

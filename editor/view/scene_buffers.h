@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "editor/document/face_selection.h"
@@ -24,9 +25,9 @@ class SceneBuffers {
   /// Uploads the differences from the former objects. Returns whether faces were renumbered or have other
   /// surfaces.
   bool set_objects(std::shared_ptr<const SceneObjects> objects);
-  /// Sets the geometry of the meshes after `set_objects`; buffers of unchanged geometry are kept. Returns
-  /// whether a mesh changed, and not only its proxy.
-  bool set_shapes(const std::vector<MeshShape>& shapes);
+  /// Sets the geometry of the meshes and their hidden faces after `set_objects`; buffers of unchanged ones
+  /// are kept. Returns whether a mesh changed, and not only its proxy.
+  bool set_shapes(const std::vector<MeshShape>& shapes, const FaceSelection& hidden);
   void set_selection(const FaceSelection& selection);
   /// Sets a texture, downscaled to the driver's limit; null if it cannot be read.
   void set_texture(const std::string& path, const transport::Image* image);
@@ -54,6 +55,8 @@ class SceneBuffers {
   void bind_texture(std::size_t number, GLuint unit);
 
  private:
+  using BuffersKey = std::pair<std::shared_ptr<const TriangleArrays>, FaceSelection::Faces>;
+
   bool fits(std::size_t mesh) const;
   std::unique_ptr<QOpenGLTexture> texture_of(const transport::Image& image) const;
   std::unique_ptr<QOpenGLTexture> squares(QRgb first, QRgb second) const;
@@ -63,7 +66,7 @@ class SceneBuffers {
   std::shared_ptr<const SceneObjects> objects_ = std::make_shared<const SceneObjects>();
   FaceTables faces_;
   SurfaceTables surfaces_;
-  std::map<std::shared_ptr<const TriangleArrays>, std::unique_ptr<MeshBuffers>> buffers_;
+  std::map<BuffersKey, std::unique_ptr<MeshBuffers>> buffers_;  ///< by geometry and hidden faces
   std::vector<std::shared_ptr<const MeshGeometry>> geometries_;
   std::vector<MeshBuffers*> meshes_;
   std::vector<MeshBuffers*> proxy_meshes_;

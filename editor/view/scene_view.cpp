@@ -26,6 +26,7 @@ SceneView::SceneView(QWidget* parent, const GraphicsDriver& driver, const ImageP
     : QWidget(parent),
       objects_(std::make_shared<const SceneObjects>()),
       selection_(std::make_shared<const FaceSelection>()),
+      hidden_(selection_),
       textures_(images),
       renderer_(driver) {
   setAttribute(Qt::WA_OpaquePaintEvent);
@@ -65,6 +66,8 @@ void SceneView::show(std::shared_ptr<const SceneObjects> objects) {
   if (!selection_->fits(*objects_)) {
     selection_ = std::make_shared<const FaceSelection>(*objects_);
   }
+  if (!hidden_->fits(*objects_)) hidden_ = std::make_shared<const FaceSelection>(*objects_);
+  if (!locked_.fits(*objects_)) locked_ = FaceSelection(*objects_);
   geometry_.set_objects(*objects_);
   std::vector<std::string> paths;
   for (const MeshObject& mesh : objects_->meshes) {
@@ -85,6 +88,13 @@ void SceneView::show_moved(std::shared_ptr<const SceneObjects> objects) {
 
 void SceneView::set_selection(const FaceSelection& selection) {
   selection_ = std::make_shared<const FaceSelection>(selection);
+  draw();
+}
+
+void SceneView::set_hidden_and_locked(const FaceSelection& hidden, const FaceSelection& locked) {
+  locked_ = locked;
+  if (hidden == *hidden_) return;
+  hidden_ = std::make_shared<const FaceSelection>(hidden);
   draw();
 }
 
@@ -221,6 +231,7 @@ ViewState SceneView::state() const {
   state.number = number_;
   state.objects = moved_ ? moved_ : objects_;
   state.selection = selection_;
+  state.hidden = hidden_;
   state.shapes = geometry_.shapes();
   state.textures = textures_.textures();
   state.request = request();

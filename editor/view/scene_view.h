@@ -64,6 +64,9 @@ class SceneView : public QWidget {
   /// Sets the selection, which belongs to the shown objects.
   void set_selection(const FaceSelection& selection);
   const FaceSelection& selection() const { return *selection_; }
+  /// Sets the faces of the shown objects that are neither drawn nor selected, and those that are drawn, but
+  /// not selected by the pointer.
+  void set_hidden_and_locked(const FaceSelection& hidden, const FaceSelection& locked);
   void set_camera(const ViewCamera& camera);
   const ViewCamera& camera() const { return navigation_.camera(); }
   /// Moves the camera as a gesture does: with `camera_moved`.
@@ -190,13 +193,16 @@ class SceneView : public QWidget {
   void begin_gesture(const QPointF& at, Qt::KeyboardModifiers modifiers);
   void cancel_gesture();
   void end_handle();
-  void take_region(const FaceSelection& selected, std::int64_t state);
+  void take_region(FaceSelection selected, std::int64_t state);
   void toggle_middle();
+  void remove_unselectable(FaceSelection& faces) const;
   void make_selection(FaceSelection made, Qt::KeyboardModifiers modifiers);
 
   std::shared_ptr<const SceneObjects> objects_;  // never null, as the selection
   std::shared_ptr<const SceneObjects> moved_;    // drawn in their place, if any
   std::shared_ptr<const FaceSelection> selection_;
+  std::shared_ptr<const FaceSelection> hidden_;
+  FaceSelection locked_;
   GeometryStore geometry_;
   TextureStore textures_;
   CameraNavigation navigation_;

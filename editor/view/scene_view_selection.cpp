@@ -47,7 +47,7 @@ grf::Vec2d SceneView::place_at(const QPointF& pixel) const {
 }
 
 std::optional<SceneHit> SceneView::hit_at(const QPointF& pixel) const {
-  return intersect(*objects_, geometry_.shapes(), camera().ray(place_at(pixel), aspect()));
+  return intersect(*objects_, geometry_.shapes(), *hidden_, camera().ray(place_at(pixel), aspect()));
 }
 
 std::optional<FaceId> SceneView::face_at(const QPointF& pixel) const {
@@ -72,11 +72,18 @@ void SceneView::select_region(const QPainterPath& region, Qt::KeyboardModifiers 
   renderer_.select({state(), region, selects_through_ || !has_faces});
 }
 
-void SceneView::take_region(const FaceSelection& selected, std::int64_t state) {
+/// Removes the hidden and locked faces.
+void SceneView::remove_unselectable(FaceSelection& faces) const {
+  if (!hidden_->empty()) faces.remove(*hidden_);
+  if (!locked_.empty()) faces.remove(locked_);
+}
+
+void SceneView::take_region(FaceSelection selected, std::int64_t state) {
   if (!pending_region_ || pending_region_->state != state) return;
   const PendingRegion order = *std::exchange(pending_region_, std::nullopt);
   // Nothing is selected if the scene was replaced meanwhile.
   if (order.objects != objects_) return emit region_selected();
+  remove_unselectable(selected);
   make_selection(selected, order.modifiers);
   std::vector<grf::ScenePath> picked;
   for (const MeshInstance& instance : *objects_->instances) {
@@ -87,7 +94,8 @@ void SceneView::take_region(const FaceSelection& selected, std::int64_t state) {
 }
 
 void SceneView::click(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
-  const auto hit = hit_at(pixel);
+  auto hit = hit_at(pixel);
+  if (hit && locked_.has(hit->face)) hit.reset();
   FaceSelection made(*objects_);
   if (hit && modifiers.testFlag(Qt::AltModifier)) {
     const std::uint32_t edge = nearest_edge(*objects_, *hit, camera(), window_size(), pixel_vector(pixel));
@@ -97,6 +105,7 @@ void SceneView::click(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
   } else if (hit) {
     made.set(hit->face);
   }
+  remove_unselectable(made);
   // A click on the background with a modifier changes nothing.
   if (!hit && modifiers != Qt::NoModifier) return;
   make_selection(std::move(made), modifiers);
@@ -107,7 +116,7 @@ void SceneView::click(const QPointF& pixel, Qt::KeyboardModifiers modifiers) {
 
 void SceneView::toggle_middle() {
   const auto hit = hit_at(QPointF(width() / 2.0, height() / 2.0));
-  if (!hit) return;
+  if (!hit || locked_.has(hit->face)) return;
   FaceSelection made = *selection_;
   made.set(hit->face, !made.has(hit->face));
   make_selection(std::move(made), Qt::NoModifier);

@@ -80,8 +80,8 @@ void ViewDrawing::load(const ViewState& state) {
     for (const ReadTexture& texture : state.textures) scene_.set_texture(texture.path, texture.image.get());
     restart();
   }
-  if (!has_other_objects && state.shapes == state_.shapes) return;
-  if (scene_.set_shapes(state.shapes)) restart();
+  if (!has_other_objects && state.shapes == state_.shapes && state.hidden == state_.hidden) return;
+  if (scene_.set_shapes(state.shapes, *state.hidden)) restart();
   has_quick_ = false;
 }
 

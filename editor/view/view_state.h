@@ -26,6 +26,7 @@ struct ViewState {
   std::int64_t number = 0;  ///< increases from state to state
   std::shared_ptr<const SceneObjects> objects;
   std::shared_ptr<const FaceSelection> selection;
+  std::shared_ptr<const FaceSelection> hidden;  ///< faces that are not drawn
   std::vector<MeshShape> shapes;
   std::vector<ReadTexture> textures;
   FrameRequest request;

@@ -317,7 +317,8 @@ void FileActions::show_loaded() {
       (is_scene ? tr("Opened %1") : tr("Imported %1")).arg(QFileInfo(loaded->path).fileName());
   const auto take_it = [this, loaded, is_scene] {
     const ImportedModel& taken = loaded->model;
-    is_scene ? document_.take(taken.scene, taken.path, taken.diagnostics) : document_.take_import(taken);
+    is_scene ? document_.take(taken.scene, taken.path, taken.diagnostics, loaded->state)
+             : document_.take_import(taken);
   };
   import_.revision == document_.revision() ? take_it() : leave(take_it);
   emit done(losses.isEmpty() ? did : tr("%1, with losses: %2").arg(did, losses.join("; ")));

@@ -48,6 +48,7 @@
 #include "editor/window/status_line.h"
 #include "editor/window/view_actions.h"
 #include "editor/window/view_controller.h"
+#include "editor/window/visibility_actions.h"
 #include "renderer/reflectance/scheme.h"
 
 namespace editor {
@@ -74,6 +75,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   view_actions_ = new ViewActions(*view_, *this, true);
   rendered_mode_ = new RenderedMode(*view_, *render_, *this);
   selection_actions_ = new SelectionActions(document_, *view_, *this);
+  visibility_actions_ = new VisibilityActions(document_, *view_, *this);
   object_actions_ = new ObjectActions(document_, *view_, *this);
   material_actions_ = new MaterialActions(document_, *this);
   mesh_actions_ = new MeshActions(document_, jobs_, *this);

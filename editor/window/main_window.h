@@ -44,6 +44,7 @@ class UvPanel;
 class ViewActions;
 class ShortcutKeys;
 class ViewController;
+class VisibilityActions;
 struct Tool;
 
 /// The 3D view of a document, its docks, and the controllers that connect them. The only modal dialogs are
@@ -145,6 +146,7 @@ class MainWindow : public QMainWindow {
   ViewActions* view_actions_ = nullptr;
   RenderedMode* rendered_mode_ = nullptr;
   SelectionActions* selection_actions_ = nullptr;
+  VisibilityActions* visibility_actions_ = nullptr;
   ObjectActions* object_actions_ = nullptr;
   MaterialActions* material_actions_ = nullptr;
   MeshActions* mesh_actions_ = nullptr;

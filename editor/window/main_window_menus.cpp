@@ -33,6 +33,7 @@
 #include "editor/window/tools.h"
 #include "editor/window/view_actions.h"
 #include "editor/window/view_controller.h"
+#include "editor/window/visibility_actions.h"
 
 namespace editor {
 namespace {
@@ -55,7 +56,10 @@ QAction* name_command(QAction* action, const QString& tip) {
 void MainWindow::make_menus() {
   make_file_menu();
   make_edit_menu();
-  selection_actions_->fill(*add_menu(*menuBar(), tr("&Select")));
+  QMenu* select = add_menu(*menuBar(), tr("&Select"));
+  selection_actions_->fill(*select);
+  select->addSeparator();
+  visibility_actions_->fill(*select);
   QMenu* view = add_menu(*menuBar(), tr("&View"));
   view_actions_->fill(*view);
   view->addSeparator();
@@ -198,7 +202,7 @@ void MainWindow::make_help_menu() {
   for (const Tool& tool : tools()) {
     menu->addAction(new_action(*this, {tool.title, {}, {}, tool.about}, [this, tool] { open_tool(tool); }));
   }
-  QMenu* help = add_menu(*menuBar(), tr("&Help"));
+  QMenu* help = add_menu(*menuBar(), tr("Hel&p"));
   help->addAction(new_action(
       *this, {tr("&Keyboard shortcuts"), {}, QKeySequence("F1"), tr("List and search all shortcuts")},
       [this] { show_shortcuts(*this); }));

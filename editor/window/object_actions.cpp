@@ -7,6 +7,8 @@
 
 #include "editor/controls/actions.h"
 #include "editor/document/apply_transforms.h"
+#include "editor/document/object_edits.h"
+#include "editor/document/object_order.h"
 #include "editor/document/studio.h"
 #include "editor/view/gizmo_input.h"
 #include "editor/view/scene_view.h"
@@ -31,6 +33,7 @@ ObjectActions::ObjectActions(Document& document, SceneView& view, QWidget& windo
   make_gestures();
   make_options();
   make_placements();
+  make_structure();
   make_alignments();
   connect(gizmo_, &GizmoInput::transform_made, this, &ObjectActions::apply);
   connect(gizmo_, &GizmoInput::status_message, this, &ObjectActions::status_message);
@@ -188,6 +191,30 @@ void ObjectActions::make_placements() {
   }
 }
 
+void ObjectActions::make_structure() {
+  structure_ = {
+      add_placement(tr("&Group"), QKeySequence("Ctrl+G"),
+                    tr("Group the selected objects in a transform, beside the last one"),
+                    [this](grf::Diagnostics& diagnostics) {
+                      return group_objects(document_.scene(), document_.selected_objects(), diagnostics);
+                    }),
+      add_placement(tr("U&ngroup"), QKeySequence("Ctrl+Shift+G"),
+                    tr("Replace the selected groups by their objects, which stay where they are"),
+                    [this](grf::Diagnostics& diagnostics) {
+                      return ungroup_objects(document_.scene(), document_.selected_objects(), diagnostics);
+                    }),
+      add_placement(tr("Make sing&le"), {}, tr("Turn the selected instances into meshes of their own"),
+                    [this](grf::Diagnostics& diagnostics) {
+                      return make_single(document_.scene(), document_.selected_objects(), diagnostics);
+                    }),
+      add_placement(tr("Make &instance"), {},
+                    tr("Turn the last of the selected meshes into a definition and an instance of it"),
+                    [this](grf::Diagnostics& diagnostics) {
+                      return make_instance(document_.scene(), document_.selected_objects().back(),
+                                           diagnostics);
+                    })};
+}
+
 void ObjectActions::make_alignments() {
   const auto add = [this](int axis, Alignment alignment, const QString& what) {
     alignments_.append(add_placement(
@@ -215,7 +242,8 @@ void ObjectActions::make_alignments() {
 void ObjectActions::update_target() {
   const std::vector<grf::ScenePath>& selected = document_.selected_objects();
   const bool has_objects = !selected.empty();
-  for (QAction* action : gestures_ + placements_ + mirrors_ + alignments_) action->setEnabled(has_objects);
+  for (QAction* action : gestures_ + placements_ + structure_ + mirrors_ + alignments_)
+    action->setEnabled(has_objects);
   if (!has_objects) return gizmo_->set_target(std::nullopt);
   GizmoTarget target;
   target.blocks = moved_blocks(document_.scene(), selected);
@@ -271,6 +299,8 @@ void ObjectActions::fill(QMenu& menu) {
   menu.addActions(gizmos_->actions());
   add_menu(tr("&Pivot"), pivots_);
   menu.addActions(options_);
+  menu.addSeparator();
+  menu.addActions(structure_);
   menu.addSeparator();
   menu.addActions(placements_);
   add_menu(tr("M&irror"), mirrors_);

@@ -30,6 +30,7 @@ void remove_imports_without(const std::vector<LostWork>& all) {
 
 struct RecoveryController::ReadWork {
   std::optional<grf::Scene> scene;
+  EditorState state;
   grf::Diagnostics diagnostics;
 };
 
@@ -72,6 +73,10 @@ void RecoveryController::recover(const LostWork& work) {
   const auto read = [work] {
     ReadWork result;
     result.scene = Recovery::read(work, result.diagnostics);
+    if (result.scene) {
+      const SceneObjects objects = objects_of(*result.scene, work.path.toStdString());
+      result.state = read_editor_state(work.path, objects, result.diagnostics);
+    }
     return result;
   };
   const auto begin = [this, work, read](Job& job) {
@@ -88,7 +93,7 @@ void RecoveryController::recover(const LostWork& work) {
 }
 
 void RecoveryController::take(const LostWork& work, ReadWork read) {
-  document_.take(std::move(*read.scene), work.path, read.diagnostics, true);
+  document_.take(std::move(*read.scene), work.path, read.diagnostics, std::move(read.state), true);
   for (const QString& folder : work.imports) document_.add_import(ImportFolder::adopt(folder));
   // The old autosave is removed only once this session has its own.
   connect(

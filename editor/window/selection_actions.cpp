@@ -110,7 +110,7 @@ void SelectionActions::make_gestures(SceneView& view) {
   make_tools(view);
   gestures_.append(new_switch(window_,
                               {tr("Select &through"), "through", QKeySequence("Ctrl+Alt+T"),
-                               tr("Select hidden faces, too, with boxes, lassos, brush and polygon")},
+                               tr("Select occluded faces, too, with boxes, lassos, brush and polygon")},
                               false, [&view](bool is_on) { view.set_select_through(is_on); }));
 }
 

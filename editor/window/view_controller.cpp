@@ -13,6 +13,9 @@
 #include "editor/document/brdf_mime.h"
 #include "editor/document/image_files.h"
 #include "editor/document/light_edits.h"
+#include "editor/document/object_mime.h"
+#include "editor/document/object_order.h"
+#include "editor/document/scene_places.h"
 #include "editor/panels/brdf_assignment.h"
 #include "editor/panels/texture_row.h"
 #include "editor/view/scene_view.h"
@@ -36,6 +39,9 @@ ViewController::ViewController(Document& document, const grf::Catalogue& catalog
   view_.setAcceptDrops(true);
   view_.installEventFilter(this);
   connect(&document_, &Document::changed, this, [this] { view_.show(document_.shared_objects()); });
+  connect(&document_, &Document::editor_state_changed, this, [this] {
+    view_.set_hidden_and_locked(document_.editor_state().hidden, document_.editor_state().locked);
+  });
   connect(&document_, &Document::selection_changed, this,
           [this] { view_.set_selection(document_.selection()); });
   connect(&view_, &SceneView::selection_made, &document_, &Document::select);
@@ -123,6 +129,10 @@ bool ViewController::eventFilter(QObject* watched, QEvent* event) {
         drag.acceptProposedAction();
         return true;
       }
+      if (!definition_in(*drag.mimeData()).empty()) {
+        drag.acceptProposedAction();
+        return true;
+      }
       if (!drag.mimeData()->hasFormat(BrdfMimeType)) return false;
       const bool is_over_face = view_.face_at(drag.position()).has_value();
       // Qt ignores a drag whose enter event was rejected.
@@ -149,8 +159,38 @@ bool ViewController::eventFilter(QObject* watched, QEvent* event) {
   }
 }
 
+/// The path of the definition among dragged objects; empty if there is none.
+grf::ScenePath ViewController::definition_in(const QMimeData& data) const {
+  const std::vector<grf::ScenePath> paths = paths_of(data);
+  const bool is_definition = !paths.empty() && definition_at(document_.scene(), paths.front()) != nullptr;
+  return is_definition ? paths.front() : grf::ScenePath();
+}
+
+/// Adds an instance that stands on the surface under the pointer, or on the floor at the orbit centre.
+void ViewController::add_instance(const grf::ScenePath& definition, const QPointF& pixel) {
+  const grf::Scene& scene = document_.scene();
+  const BlockPlace place = place_at_end(scene, grf::ScenePathView(definition).first(definition.size() - 1));
+  grf::Diagnostics diagnostics;
+  auto added = use_definition(scene, definition, place, diagnostics);
+  if (added) {
+    const std::optional<SurfacePoint> surface = view_.surface_at(pixel);
+    const grf::Vec3d centre = view_.camera().target();
+    added = place_on_surface(added->scene, objects_of(added->scene, document_.path().toStdString()),
+                             added->paths, surface ? surface->position : grf::Vec3d(centre.x, 0, centre.z),
+                             std::nullopt, diagnostics);
+  }
+  if (!added) return emit failed(QString::fromStdString(diagnostics.to_text()));
+  document_.replace_objects(tr("Add instance"), std::move(*added));
+}
+
 /// Assigns to all selected faces if one of them is hit, else only to the face.
 bool ViewController::drop(QDropEvent& event) {
+  if (const grf::ScenePath definition = definition_in(*event.mimeData()); !definition.empty()) {
+    add_instance(definition, event.position());
+    event.setDropAction(Qt::CopyAction);
+    event.accept();
+    return true;
+  }
   const QString image = image_in(*event.mimeData());
   if (image.isEmpty() && !event.mimeData()->hasFormat(BrdfMimeType)) return false;
   const std::optional<FaceId> face = view_.face_at(event.position());

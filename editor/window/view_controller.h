@@ -8,6 +8,7 @@
 #include "grf/catalogue.h"
 
 class QDropEvent;
+class QMimeData;
 
 namespace editor {
 
@@ -51,6 +52,8 @@ class ViewController : public QObject {
   void move_object(const HandleId& object, const grf::Vec3d& position);
   std::optional<grf::Scene> scene_with(const HandleId& object, const grf::Vec3d& position,
                                        grf::Diagnostics& diagnostics) const;
+  grf::ScenePath definition_in(const QMimeData& data) const;
+  void add_instance(const grf::ScenePath& definition, const QPointF& pixel);
   bool drop(QDropEvent& event);
   void set_environment(const QString& image);
   bool pick_at(const QPointF& pixel, Qt::MouseButtons buttons);

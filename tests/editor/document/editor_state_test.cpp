@@ -56,7 +56,9 @@ class KeepingEditorState : public testing::Test {
     grf::Diagnostics diagnostics;
     auto scene = grf::read(path().toStdString(), diagnostics);
     if (!scene) throw std::runtime_error(diagnostics.to_text());
-    document.take(std::move(*scene), path(), {});
+    const SceneObjects objects = objects_of(*scene, path().toStdString());
+    EditorState state = read_editor_state(path(), objects, diagnostics);
+    document.take(std::move(*scene), path(), std::move(diagnostics), std::move(state));
   }
   void save() {
     grf::Diagnostics diagnostics;
@@ -196,6 +198,26 @@ TEST_F(KeepingEditorState, BelongsToItsScene) {
   document_.clear();
   EXPECT_TRUE(document_.editor_state().empty());
   EXPECT_FALSE(document_.is_modified());
+}
+
+TEST_F(KeepingEditorState, SelectsNoHiddenOrLockedFaces) {
+  open(HandMadeFile);
+  FaceSelection all(document_.objects());
+  all.select_all();
+  document_.select(all);
+  EXPECT_THAT(faces(document_.selection(), 0), ElementsAre(1));
+  EXPECT_EQ(document_.selection().count(), 1U);
+  hide({0, 1});
+  EXPECT_TRUE(document_.selection().empty());
+}
+
+TEST_F(KeepingEditorState, DeselectsObjectsOfWhichNothingIsVisible) {
+  open({});
+  document_.select_objects({{0}, {1}});
+  for (const std::uint32_t face : {0U, 1U, 2U}) hide({0, face});
+  EXPECT_EQ(document_.selected_objects().size(), 2U);
+  hide({0, 3});
+  EXPECT_THAT(document_.selected_objects(), ElementsAre(grf::ScenePath{1}));
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ TEST_F(RecoveryTest, GivesBackWorkAfterTheProcessDied) {
   EXPECT_EQ(*scene, document_.scene());
   EXPECT_THAT(test::bytes_of(part_), HasSubstr("\"b\"")) << "an included file was written";
 
-  next.take(*scene, lost[0].path, {}, true);
+  next.take(*scene, lost[0].path, {}, {}, true);
   EXPECT_TRUE(next.is_modified());
   ASSERT_TRUE(next.save(next.path(), diagnostics)) << diagnostics.to_text();
   EXPECT_THAT(test::bytes_of(part_), HasSubstr("changed inside"));
@@ -123,7 +123,7 @@ TEST_F(RecoveryTest, GivesBackImagesThatStoodInsideAModel) {
   grf::Diagnostics diagnostics;
   auto scene = Recovery::read(lost[0], diagnostics);
   ASSERT_TRUE(scene.has_value()) << diagnostics.to_text();
-  next.take(std::move(*scene), lost[0].path, {}, true);
+  next.take(std::move(*scene), lost[0].path, {}, {}, true);
   for (const QString& folder : lost[0].imports) next.add_import(ImportFolder::adopt(folder));
   ImportFolder::remove_abandoned(imports(), {});
   ASSERT_EQ(folders().size(), 1) << "of this session now";

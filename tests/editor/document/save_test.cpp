@@ -107,7 +107,7 @@ TEST_F(Saving, KeepsOptionsThatWereEditedMeanwhile) {
 TEST_F(Saving, IsNothingToASceneThatWasOpenedMeanwhile) {
   colour(0.25F);
   const SaveRequest request = document_.save_request(path("scene.grf"));
-  document_.take(scene_of(LoneTriangle), path("next.grf"), {}, true);
+  document_.take(scene_of(LoneTriangle), path("next.grf"), {}, {}, true);
   const QSignalSpy saved(&document_, &Document::saved);
   document_.take_saved(write(request));
   EXPECT_TRUE(saved.empty());

@@ -200,7 +200,7 @@ TEST_F(SceneTrees, GiveBrdfsToDrags) {
   const std::unique_ptr<QMimeData> data(view()->model()->mimeData({gold}));
   EXPECT_EQ(data->data(BrdfMimeType), "ward sx=0.2");
   EXPECT_EQ(data->data(BrdfNameMimeType), "gold");
-  EXPECT_FALSE(view()->model()->flags(line("Objects", "sides")).testFlag(Qt::ItemIsDragEnabled));
+  EXPECT_FALSE(view()->model()->flags(line("Colours", "red")).testFlag(Qt::ItemIsDragEnabled));
 }
 
 TEST_F(SceneTrees, AreQuickWithManyInstances) {
