@@ -242,6 +242,70 @@ Valores: %2. Por defecto: %3.</translation>
         <source>The faces belong to a mesh light, which has a radiance and does not reflect.</source>
         <translation>Las caras son de una malla emisora, que tiene radiancia y no refleja.</translation>
     </message>
+    <message>
+        <source>Render cameras</source>
+        <translation>Renderizar cámaras</translation>
+    </message>
+    <message>
+        <source>Cameras to render</source>
+        <translation>Cámaras para renderizar</translation>
+    </message>
+    <message>
+        <source>Each checked camera becomes a job; Space checks one</source>
+        <translation>Cada cámara marcada será una tarea; la barra espaciadora marca una</translation>
+    </message>
+    <message>
+        <source>Render camera</source>
+        <translation>Cámara de render</translation>
+    </message>
+    <message>
+        <source>Queue a render per camera</source>
+        <translation>Pone en cola un render por cámara</translation>
+    </message>
+    <message>
+        <source>No camera is checked</source>
+        <translation>No hay ninguna cámara marcada</translation>
+    </message>
+    <message>
+        <source>Render animation</source>
+        <translation>Renderizar animación</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Fotogramas</translation>
+    </message>
+    <message>
+        <source>Number of images of the animation</source>
+        <translation>Número de imágenes de la animación</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>Recorrido de la cámara</translation>
+    </message>
+    <message>
+        <source>How the camera moves from frame to frame</source>
+        <translation>Cómo se mueve la cámara de un fotograma a otro</translation>
+    </message>
+    <message>
+        <source>Turntable about the look-at point</source>
+        <translation>Plato giratorio en torno al punto de mira</translation>
+    </message>
+    <message>
+        <source>Linear through the named cameras</source>
+        <translation>Lineal por las cámaras con nombre</translation>
+    </message>
+    <message>
+        <source>Smooth through the named cameras</source>
+        <translation>Suave por las cámaras con nombre</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>&amp;Fotogramas</translation>
+    </message>
+    <message>
+        <source>Camera &amp;path</source>
+        <translation>&amp;Recorrido de la cámara</translation>
+    </message>
 </context>
 <context>
     <name>editor::BakeController</name>
@@ -1923,6 +1987,38 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <source>Keep editing</source>
         <translation>Seguir editando</translation>
     </message>
+    <message>
+        <source>Re&amp;import</source>
+        <translation>Re&amp;importar</translation>
+    </message>
+    <message>
+        <source>Read the file of the selected imported object again; its faces keep what was assigned to them</source>
+        <translation>Vuelve a leer el archivo del objeto importado que está seleccionado; sus caras conservan lo que se les asignó</translation>
+    </message>
+    <message>
+        <source>Select an object that was imported from a file of another format, to read that file again.</source>
+        <translation>Seleccione un objeto importado de un archivo de otro formato para volver a leer ese archivo.</translation>
+    </message>
+    <message>
+        <source>%1 is gone: choose the file</source>
+        <translation>%1 ya no está: elija el archivo</translation>
+    </message>
+    <message>
+        <source>Reimport %1</source>
+        <translation>Reimportar %1</translation>
+    </message>
+    <message>
+        <source>Reimported %1: its objects are the same</source>
+        <translation>Se reimportó %1: sus objetos son los mismos</translation>
+    </message>
+    <message>
+        <source>Reimported %1: %2 objects changed</source>
+        <translation>Se reimportó %1: cambiaron %2 objetos</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
 </context>
 <context>
     <name>editor::FinalRender</name>
@@ -1964,6 +2060,13 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
     <message>
         <source>The image rendered so far. Click or press Return to open it</source>
         <translation>La imagen renderizada hasta ahora. Haga clic o pulse Intro para abrirla</translation>
+    </message>
+</context>
+<context>
+    <name>editor::FormDialog</name>
+    <message>
+        <source>&amp;Render</source>
+        <translation>&amp;Renderizar</translation>
     </message>
 </context>
 <context>
@@ -2414,10 +2517,6 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <translation>No volver a mostrar</translation>
     </message>
     <message>
-        <source>Import with these options at once; File &gt; Import with options shows them again</source>
-        <translation>Importa al momento con estas opciones; Archivo &gt; Añadir con opciones las vuelve a mostrar</translation>
-    </message>
-    <message>
         <source>&amp;Import</source>
         <translation>&amp;Importar</translation>
     </message>
@@ -2556,6 +2655,10 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
     <message>
         <source>&amp;Objects</source>
         <translation>&amp;Objetos</translation>
+    </message>
+    <message>
+        <source>Import with these options at once; File &gt; Append with options shows them again</source>
+        <translation>Importa directamente con estas opciones; Archivo &gt; Añadir con opciones las muestra de nuevo</translation>
     </message>
 </context>
 <context>
@@ -3356,10 +3459,6 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
         <translation>&amp;Herramientas</translation>
     </message>
     <message>
-        <source>&amp;Help</source>
-        <translation>A&amp;yuda</translation>
-    </message>
-    <message>
         <source>&amp;Keyboard shortcuts</source>
         <translation>&amp;Atajos de teclado</translation>
     </message>
@@ -3386,6 +3485,22 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
     <message>
         <source>Pr&amp;eferences</source>
         <translation>Pre&amp;ferencias</translation>
+    </message>
+    <message>
+        <source>UV</source>
+        <translation>UV</translation>
+    </message>
+    <message>
+        <source>Texture coordinates (UVs) of the selected faces, over their image</source>
+        <translation>Coordenadas de textura (UV) de las caras seleccionadas, sobre su imagen</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture coordinates</source>
+        <translation>Coordenadas de te&amp;xtura</translation>
+    </message>
+    <message>
+        <source>Hel&amp;p</source>
+        <translation>A&amp;yuda</translation>
     </message>
 </context>
 <context>
@@ -3492,6 +3607,130 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
     <message>
         <source>%1: meshes that were edited meanwhile were left unchanged</source>
         <translation>%1: las mallas que se editaron entretanto no se han cambiado</translation>
+    </message>
+    <message>
+        <source>&amp;Recalculate outside</source>
+        <translation>&amp;Recalcular hacia fuera</translation>
+    </message>
+    <message>
+        <source>Make the normals of the faces agree and point outward, in the meshes %1</source>
+        <translation>Hace que las normales de las caras concuerden y apunten hacia fuera, en las mallas %1</translation>
+    </message>
+    <message>
+        <source>Recalculate outside</source>
+        <translation>Recalcular hacia fuera</translation>
+    </message>
+    <message>
+        <source>Select &amp;inward faces</source>
+        <translation>Seleccionar caras &amp;invertidas</translation>
+    </message>
+    <message>
+        <source>Select the faces whose normals point inward (flipped normals), in the meshes of the selected faces, or in all if none is selected</source>
+        <translation>Selecciona las caras cuyas normales apuntan hacia dentro (normales invertidas), en las mallas de las caras seleccionadas, o en todas si no hay ninguna seleccionada</translation>
+    </message>
+    <message>
+        <source>Project the image onto the selected faces %1</source>
+        <translation>Proyecta la imagen sobre las caras seleccionadas %1</translation>
+    </message>
+    <message>
+        <source>Project along the &amp;normal</source>
+        <translation>Proyectar según la &amp;normal</translation>
+    </message>
+    <message>
+        <source>along their mean normal</source>
+        <translation>según su normal media</translation>
+    </message>
+    <message>
+        <source>Project along &amp;x</source>
+        <translation>Proyectar según &amp;x</translation>
+    </message>
+    <message>
+        <source>on a plane, as seen from +x</source>
+        <translation>sobre un plano, visto desde +x</translation>
+    </message>
+    <message>
+        <source>Project along &amp;y</source>
+        <translation>Proyectar según &amp;y</translation>
+    </message>
+    <message>
+        <source>on a plane, as seen from above</source>
+        <translation>sobre un plano, visto desde arriba</translation>
+    </message>
+    <message>
+        <source>Project along &amp;z</source>
+        <translation>Proyectar según &amp;z</translation>
+    </message>
+    <message>
+        <source>on a plane, as seen from +z</source>
+        <translation>sobre un plano, visto desde +z</translation>
+    </message>
+    <message>
+        <source>Project from a &amp;box</source>
+        <translation>Proyectar desde una ca&amp;ja</translation>
+    </message>
+    <message>
+        <source>from the side of a box that is nearest to the normal of each</source>
+        <translation>desde el lado de una caja más cercano a la normal de cada una</translation>
+    </message>
+    <message>
+        <source>Project from a &amp;cylinder</source>
+        <translation>Proyectar desde un &amp;cilindro</translation>
+    </message>
+    <message>
+        <source>around a vertical cylinder; on caps from above and below</source>
+        <translation>alrededor de un cilindro vertical; en las tapas, desde arriba y desde abajo</translation>
+    </message>
+    <message>
+        <source>Project from a &amp;sphere</source>
+        <translation>Proyectar desde una &amp;esfera</translation>
+    </message>
+    <message>
+        <source>by longitude and latitude about their centre</source>
+        <translation>por longitud y latitud en torno a su centro</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate by 90°</source>
+        <translation>&amp;Rotar 90°</translation>
+    </message>
+    <message>
+        <source>Rotate the texture coordinates of the selected faces to the left</source>
+        <translation>Rota a la izquierda las coordenadas de textura de las caras seleccionadas</translation>
+    </message>
+    <message>
+        <source>Flip &amp;horizontally</source>
+        <translation>Reflejar en &amp;horizontal</translation>
+    </message>
+    <message>
+        <source>Mirror the texture coordinates of the selected faces, left to right</source>
+        <translation>Refleja las coordenadas de textura de las caras seleccionadas, de izquierda a derecha</translation>
+    </message>
+    <message>
+        <source>Flip &amp;vertically</source>
+        <translation>Reflejar en &amp;vertical</translation>
+    </message>
+    <message>
+        <source>Mirror the texture coordinates of the selected faces, top to bottom</source>
+        <translation>Refleja las coordenadas de textura de las caras seleccionadas, de arriba abajo</translation>
+    </message>
+    <message>
+        <source>&amp;Fit to the image</source>
+        <translation>Aj&amp;ustar a la imagen</translation>
+    </message>
+    <message>
+        <source>Scale and move the texture coordinates of the selected faces to the whole image</source>
+        <translation>Escala y mueve las coordenadas de textura de las caras seleccionadas a toda la imagen</translation>
+    </message>
+    <message>
+        <source>All faces point outward</source>
+        <translation>Todas las caras apuntan hacia fuera</translation>
+    </message>
+    <message>
+        <source>Find inward faces</source>
+        <translation>Buscar caras invertidas</translation>
+    </message>
+    <message>
+        <source>Cancel: the selection stays as it is</source>
+        <translation>Cancelar: la selección queda como está</translation>
     </message>
 </context>
 <context>
@@ -3931,6 +4170,38 @@ Los problemas aparecen aquí mientras edita.</translation>
     <message>
         <source>&amp;Align and distribute</source>
         <translation>&amp;Alinear y distribuir</translation>
+    </message>
+    <message>
+        <source>&amp;Group</source>
+        <translation>A&amp;grupar</translation>
+    </message>
+    <message>
+        <source>Group the selected objects in a transform, beside the last one</source>
+        <translation>Agrupa los objetos seleccionados en una transformación, junto al último</translation>
+    </message>
+    <message>
+        <source>U&amp;ngroup</source>
+        <translation>Desagr&amp;upar</translation>
+    </message>
+    <message>
+        <source>Replace the selected groups by their objects, which stay where they are</source>
+        <translation>Sustituye los grupos seleccionados por sus objetos, que se quedan donde están</translation>
+    </message>
+    <message>
+        <source>Make sing&amp;le</source>
+        <translation>Hacer ú&amp;nico</translation>
+    </message>
+    <message>
+        <source>Turn the selected instances into meshes of their own</source>
+        <translation>Convierte las instancias seleccionadas en mallas propias</translation>
+    </message>
+    <message>
+        <source>Make &amp;instance</source>
+        <translation>Hacer ins&amp;tancia</translation>
+    </message>
+    <message>
+        <source>Turn the last of the selected meshes into a definition and an instance of it</source>
+        <translation>Convierte la última de las mallas seleccionadas en una definición y una instancia de ella</translation>
     </message>
 </context>
 <context>
@@ -4875,6 +5146,38 @@ BPT_Scene  scene.grf</translation>
         <source>No render is running</source>
         <translation>No hay ningún render en marcha</translation>
     </message>
+    <message>
+        <source>Render &amp;cameras…</source>
+        <translation>Renderizar &amp;cámaras…</translation>
+    </message>
+    <message>
+        <source>Queue a render per camera that is chosen</source>
+        <translation>Pone en cola un render por cada cámara elegida</translation>
+    </message>
+    <message>
+        <source>Render &amp;animation…</source>
+        <translation>Renderizar &amp;animación…</translation>
+    </message>
+    <message>
+        <source>Queue a render of a turntable, or of a path through the cameras</source>
+        <translation>Pone en cola el render de un plato giratorio, o de un recorrido por las cámaras</translation>
+    </message>
+    <message>
+        <source>Without &amp;hidden faces</source>
+        <translation>Sin caras &amp;ocultas</translation>
+    </message>
+    <message>
+        <source>Without hidden faces</source>
+        <translation>Sin caras ocultas</translation>
+    </message>
+    <message>
+        <source>Preview the scene without the faces that are hidden in the 3D view; final renders have all faces</source>
+        <translation>Vista previa de la escena sin las caras ocultas en la vista 3D; los renders finales tienen todas las caras</translation>
+    </message>
+    <message>
+        <source>Render %1 and %2 more</source>
+        <translation>Renderizar %1 y %2 más</translation>
+    </message>
 </context>
 <context>
     <name>editor::RenderReport</name>
@@ -4948,6 +5251,53 @@ BPT_Scene  scene.grf</translation>
     <message>
         <source>none</source>
         <translation>ninguno</translation>
+    </message>
+</context>
+<context>
+    <name>editor::RenderedMode</name>
+    <message>
+        <source>Preview re&amp;gion</source>
+        <translation>Re&amp;gión de la vista previa</translation>
+    </message>
+    <message>
+        <source>Show the mode Rendered only in a rectangle that is dragged; Return takes the middle</source>
+        <translation>Muestra el modo Renderizado solo en un rectángulo que se arrastra; Intro toma el centro</translation>
+    </message>
+    <message>
+        <source>&amp;Denoise the view</source>
+        <translation>Re&amp;ducir el ruido de la vista</translation>
+    </message>
+    <message>
+        <source>Smooth the noise of the mode Rendered; renders to files are never denoised</source>
+        <translation>Suaviza el ruido del modo Renderizado; en los renders a archivo nunca se reduce</translation>
+    </message>
+    <message>
+        <source>Drag the region to render, Return: the middle, Escape: cancel</source>
+        <translation>Arrastre la región que se renderiza, Intro: el centro, Escape: cancelar</translation>
+    </message>
+    <message>
+        <source>Rendered: only in perspective (5)</source>
+        <translation>Renderizado: solo en perspectiva (5)</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Rendered: stopped</source>
+        <translation>Renderizado: detenido</translation>
+    </message>
+    <message>
+        <source>Rendered: paused</source>
+        <translation>Renderizado: en pausa</translation>
+    </message>
+    <message>
+        <source>Rendered</source>
+        <translation>Renderizado</translation>
+    </message>
+    <message>
+        <source>denoised</source>
+        <translation>sin ruido</translation>
     </message>
 </context>
 <context>
@@ -5031,6 +5381,46 @@ BPT_Scene  scene.grf</translation>
     <message>
         <source>Rename to %1</source>
         <translation>Renombrar a %1</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>bloqueado</translation>
+    </message>
+    <message>
+        <source>not locked</source>
+        <translation>sin bloquear</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>oculto</translation>
+    </message>
+    <message>
+        <source>visible</source>
+        <translation>visible</translation>
+    </message>
+    <message>
+        <source>Unlock the faces</source>
+        <translation>Desbloquea las caras</translation>
+    </message>
+    <message>
+        <source>Lock the faces: the view does not select them</source>
+        <translation>Bloquea las caras: la vista no las selecciona</translation>
+    </message>
+    <message>
+        <source>Show the faces</source>
+        <translation>Muestra las caras</translation>
+    </message>
+    <message>
+        <source>Hide the faces in the view</source>
+        <translation>Oculta las caras en la vista</translation>
+    </message>
+    <message>
+        <source>Add instance</source>
+        <translation>Añadir instancia</translation>
+    </message>
+    <message>
+        <source>Move in the list</source>
+        <translation>Mover en la lista</translation>
     </message>
 </context>
 <context>
@@ -5246,6 +5636,26 @@ Abra o importe un archivo, o suelte uno en la ventana.</translation>
     <message>
         <source>%1 objects</source>
         <translation>%1 objetos</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Hide or show</source>
+        <translation>Ocultar o mostrar</translation>
+    </message>
+    <message>
+        <source>Hide the faces of the selected items in the view, or show them again</source>
+        <translation>Oculta en la vista las caras de los elementos seleccionados, o las vuelve a mostrar</translation>
+    </message>
+    <message>
+        <source>Lock or unlock</source>
+        <translation>Bloquear o desbloquear</translation>
+    </message>
+    <message>
+        <source>Make the view not select the faces of the selected items, or select them again</source>
+        <translation>Hace que la vista no seleccione las caras de los elementos seleccionados, o que vuelva a seleccionarlas</translation>
     </message>
 </context>
 <context>
@@ -5481,10 +5891,6 @@ Abra o importe un archivo, o suelte uno en la ventana.</translation>
         <translation>Seleccionar a tra&amp;vés</translation>
     </message>
     <message>
-        <source>Select hidden faces, too, with boxes, lassos, brush and polygon</source>
-        <translation>Selecciona también las caras ocultas, con recuadros, lazos, brocha y polígono</translation>
-    </message>
-    <message>
         <source>&amp;Brush</source>
         <translation>&amp;Brocha</translation>
     </message>
@@ -5507,6 +5913,10 @@ Abra o importe un archivo, o suelte uno en la ventana.</translation>
     <message>
         <source>Select simila&amp;r</source>
         <translation>S&amp;eleccionar similares</translation>
+    </message>
+    <message>
+        <source>Select occluded faces, too, with boxes, lassos, brush and polygon</source>
+        <translation>Selecciona también las caras ocultas tras otras, con rectángulos, lazos, pincel y polígono</translation>
     </message>
 </context>
 <context>
@@ -5881,6 +6291,13 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
     </message>
 </context>
 <context>
+    <name>editor::TextureImage</name>
+    <message>
+        <source>reading %1 …</source>
+        <translation>leyendo %1 …</translation>
+    </message>
+</context>
+<context>
     <name>editor::TexturePreview</name>
     <message>
         <source>Texture</source>
@@ -5889,10 +6306,6 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
     <message>
         <source>The texture, with the selected faces drawn at their texture coordinates (UVs)</source>
         <translation>La textura, con las caras seleccionadas dibujadas en sus coordenadas de textura (UV)</translation>
-    </message>
-    <message>
-        <source>reading %1 …</source>
-        <translation>leyendo %1 …</translation>
     </message>
 </context>
 <context>
@@ -6146,6 +6559,112 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
     </message>
 </context>
 <context>
+    <name>editor::UvPanel</name>
+    <message>
+        <source>UV</source>
+        <translation>UV</translation>
+    </message>
+    <message>
+        <source>Select faces to see and edit their texture coordinates (UVs).</source>
+        <translation>Seleccione caras para ver y editar sus coordenadas de textura (UV).</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Proyectar</translation>
+    </message>
+    <message>
+        <source>Project or transform the texture coordinates of the selected faces</source>
+        <translation>Proyecta o transforma las coordenadas de textura de las caras seleccionadas</translation>
+    </message>
+    <message>
+        <source>Fit the view</source>
+        <translation>Ajustar la vista</translation>
+    </message>
+    <message>
+        <source>Fit the image and the faces into the view</source>
+        <translation>Ajusta la imagen y las caras a la vista</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Centro</translation>
+    </message>
+    <message>
+        <source>centre of the bounds of the texture coordinates</source>
+        <translation>centro de los límites de las coordenadas de textura</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>size of their bounds; the image has the size 1</source>
+        <translation>tamaño de sus límites; la imagen tiene el tamaño 1</translation>
+    </message>
+    <message>
+        <source>Move texture coordinates</source>
+        <translation>Mover coordenadas de textura</translation>
+    </message>
+    <message>
+        <source>%1 u, v</source>
+        <translation>%1 u, v</translation>
+    </message>
+    <message>
+        <source>UV %1</source>
+        <translation>UV %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Scale texture coordinates</source>
+        <translation>Escalar coordenadas de textura</translation>
+    </message>
+    <message>
+        <source>Rotate by</source>
+        <translation>Rotar</translation>
+    </message>
+    <message>
+        <source>UV rotation</source>
+        <translation>Rotación UV</translation>
+    </message>
+    <message>
+        <source>Rotate by: angle to the left, about the centre of the bounds</source>
+        <translation>Rotar: ángulo hacia la izquierda, en torno al centro de los límites</translation>
+    </message>
+    <message>
+        <source>Rotate texture coordinates</source>
+        <translation>Rotar coordenadas de textura</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces are drawn</source>
+        <translation>se dibujan %1 de %2 caras</translation>
+    </message>
+    <message>
+        <source>1 face</source>
+        <translation>1 cara</translation>
+    </message>
+    <message>
+        <source>%1 faces</source>
+        <translation>%1 caras</translation>
+    </message>
+    <message>
+        <source>The faces have no texture coordinates: project some.</source>
+        <translation>Las caras no tienen coordenadas de textura: proyecte unas.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::UvView</name>
+    <message>
+        <source>Texture coordinates</source>
+        <translation>Coordenadas de textura</translation>
+    </message>
+    <message>
+        <source>The selected faces over their image; a drag or the arrows move their texture coordinates, the wheel zooms, the middle button pans, 0 fits</source>
+        <translation>Las caras seleccionadas sobre su imagen; arrastrar o las flechas mueven sus coordenadas de textura, la rueda amplía, el botón central desplaza, 0 ajusta</translation>
+    </message>
+</context>
+<context>
     <name>editor::VertexRow</name>
     <message>
         <source>Vertex colour</source>
@@ -6354,6 +6873,14 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
         <source>Faces shaded with their BRDFs, lit by a headlight and a sky</source>
         <translation>Caras sombreadas con sus BRDF, iluminadas por una luz frontal y un cielo</translation>
     </message>
+    <message>
+        <source>Rendere&amp;d</source>
+        <translation>Ren&amp;derizado</translation>
+    </message>
+    <message>
+        <source>The renderer&apos;s preview, which follows the view and your edits</source>
+        <translation>La vista previa del renderizador, que sigue a la vista y a sus ediciones</translation>
+    </message>
 </context>
 <context>
     <name>editor::ViewController</name>
@@ -6376,6 +6903,10 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
     <message>
         <source>Add an observer</source>
         <translation>Añadir un observador</translation>
+    </message>
+    <message>
+        <source>Add instance</source>
+        <translation>Añadir instancia</translation>
     </message>
 </context>
 <context>
@@ -6557,6 +7088,105 @@ La versión anterior se sigue mostrando.</translation>
     <message>
         <source>and %1 more</source>
         <translation>y %1 más</translation>
+    </message>
+</context>
+<context>
+    <name>editor::VisibilityActions</name>
+    <message>
+        <source>S&amp;ets</source>
+        <translation>Con&amp;juntos</translation>
+    </message>
+    <message>
+        <source>&amp;Hide selected</source>
+        <translation>&amp;Ocultar la selección</translation>
+    </message>
+    <message>
+        <source>Hide the selected faces in the view</source>
+        <translation>Oculta en la vista las caras seleccionadas</translation>
+    </message>
+    <message>
+        <source>Hide &amp;others</source>
+        <translation>Oc&amp;ultar las demás</translation>
+    </message>
+    <message>
+        <source>Hide all faces but the selected ones in the view</source>
+        <translation>Oculta en la vista todas las caras salvo las seleccionadas</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w all</source>
+        <translation>&amp;Mostrar todas</translation>
+    </message>
+    <message>
+        <source>Show all hidden faces again</source>
+        <translation>Vuelve a mostrar todas las caras ocultas</translation>
+    </message>
+    <message>
+        <source>&amp;Isolate</source>
+        <translation>A&amp;islar</translation>
+    </message>
+    <message>
+        <source>Hide all meshes but those with selected faces, or show again what that hid</source>
+        <translation>Oculta todas las mallas salvo las que tienen caras seleccionadas, o vuelve a mostrar lo que se ocultó así</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k selected</source>
+        <translation>&amp;Bloquear la selección</translation>
+    </message>
+    <message>
+        <source>Lock the selected faces: they are shown, but the view does not select them</source>
+        <translation>Bloquea las caras seleccionadas: se muestran, pero la vista no las selecciona</translation>
+    </message>
+    <message>
+        <source>&amp;Unlock all</source>
+        <translation>Desblo&amp;quear todas</translation>
+    </message>
+    <message>
+        <source>Unlock all faces, so that they can be selected</source>
+        <translation>Desbloquea todas las caras, para que se puedan seleccionar</translation>
+    </message>
+    <message>
+        <source>Name of the set</source>
+        <translation>Nombre del conjunto</translation>
+    </message>
+    <message>
+        <source>Save the selection as a set</source>
+        <translation>Guardar la selección como conjunto</translation>
+    </message>
+    <message>
+        <source>Rename a set</source>
+        <translation>Cambiar el nombre de un conjunto</translation>
+    </message>
+    <message>
+        <source>&amp;Save selection as...</source>
+        <translation>&amp;Guardar la selección como...</translation>
+    </message>
+    <message>
+        <source>Save the selected faces as a set with a name</source>
+        <translation>Guarda las caras seleccionadas como un conjunto con nombre</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>&amp;Seleccionar</translation>
+    </message>
+    <message>
+        <source>Select the faces of the set</source>
+        <translation>Selecciona las caras del conjunto</translation>
+    </message>
+    <message>
+        <source>Re&amp;name...</source>
+        <translation>Cambiar &amp;nombre...</translation>
+    </message>
+    <message>
+        <source>Give the set another name</source>
+        <translation>Da otro nombre al conjunto</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>Forget the set; its faces stay</source>
+        <translation>Olvida el conjunto; sus caras se quedan</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,7 @@
 // gestures.
 #include <QClipboard>
 #include <QComboBox>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QLineEdit>
 #include <QListWidget>
@@ -207,6 +208,22 @@ TEST_F(Tasks, MatchALampsHighlight) {
   const Vec3d mirrored(away.x, away.y, -away.z);
   EXPECT_GT((centre - wanted).normalized().dot(mirrored), 0.999);
   expect_count("match a lamp's highlight");
+}
+
+TEST_F(Tasks, RenderThreeCameras) {
+  write("scene.op",
+        "BPT_Scene scene.grf\nBPT_Image_Resolution 16 12\nBPT_Samples 1\n"
+        "BPT_Cameras front 0.5 0.5 5  0.5 0.5 0  0 1 0  30 0 0\n"
+        "BPT_Cameras side 5 0.5 0.5  0.5 0.5 0  0 1 0  30 0 0\n"
+        "BPT_Cameras top 0.5 5 0.5  0.5 0.5 0.4  0 1 0  30 0 0\n");
+  open(write("scene.grf", grf_box("box", "light rgb (1,1,1)", {0, 0, 0}, {1, 1, 1})));
+  QTimer::singleShot(100, &window_, [this] { press(*QApplication::activeModalWidget(), Qt::Key_Return); });
+  press(Qt::Key_F6, Qt::ControlModifier);
+  ASSERT_TRUE(are_jobs_done());
+  for (const char* name : {"scene_front.exr", "scene_side.exr", "scene_top.exr"}) {
+    EXPECT_TRUE(QFileInfo::exists(path(name))) << name;
+  }
+  expect_count("render three cameras");
 }
 
 TEST_F(Tasks, ReimportAChangedModel) {
