@@ -1,7 +1,6 @@
 #include "editor/rendering/render_dialogs.h"
 
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -14,6 +13,7 @@
 
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
+#include "editor/rendering/render_panel.h"
 
 namespace editor {
 namespace {
@@ -21,8 +21,6 @@ namespace {
 using options::RenderOptions;
 
 constexpr double MostFrames = 100'000;
-
-QString tr(const char* text) { return QCoreApplication::translate("RenderDialogs", text); }
 
 /// A dialog with a form and buttons below it, of which the first one says "Render".
 class FormDialog : public QDialog {
@@ -37,7 +35,7 @@ class FormDialog : public QDialog {
     rows->setSpacing(2 * Grid);
     rows->addLayout(form_);
     rows->addWidget(buttons_);
-    ok()->setText(tr("&Render"));
+    ok()->setText(RenderPanel::tr("&Render"));
     connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   }
@@ -63,11 +61,11 @@ std::vector<std::string> checked_names(const QListWidget& list, const RenderOpti
 
 std::optional<std::vector<std::string>> ask_for_cameras(const RenderOptions& render_options,
                                                         QWidget* parent) {
-  FormDialog dialog(tr("Render cameras"), parent);
+  FormDialog dialog(RenderPanel::tr("Render cameras"), parent);
   auto* list = new QListWidget(&dialog);
-  list->setAccessibleName(tr("Cameras to render"));
-  list->setToolTip(tr("Each checked camera becomes a job; Space checks one"));
-  list->addItem(tr("Render camera"));
+  list->setAccessibleName(RenderPanel::tr("Cameras to render"));
+  list->setToolTip(RenderPanel::tr("Each checked camera becomes a job; Space checks one"));
+  list->addItem(RenderPanel::tr("Render camera"));
   for (const options::NamedCamera& camera : render_options.cameras) {
     list->addItem(QString::fromStdString(camera.name));
   }
@@ -75,30 +73,32 @@ std::optional<std::vector<std::string>> ask_for_cameras(const RenderOptions& ren
   list->setCurrentRow(0);
   dialog.form().addRow(list);
   QObject::connect(list, &QListWidget::itemChanged, &dialog, [&] {
-    enable(dialog.ok(), tr("Queue a render per camera"),
-           checked_names(*list, render_options).empty() ? tr("No camera is checked") : QString());
+    enable(
+        dialog.ok(), RenderPanel::tr("Queue a render per camera"),
+        checked_names(*list, render_options).empty() ? RenderPanel::tr("No camera is checked") : QString());
   });
   if (dialog.exec() != QDialog::Accepted) return std::nullopt;
   return checked_names(*list, render_options);
 }
 
 std::optional<RenderOptions> ask_for_animation(const RenderOptions& render_options, QWidget* parent) {
-  FormDialog dialog(tr("Render animation"), parent);
-  NumberBox* frames =
-      number_box({tr("Frames"), tr("Number of images of the animation"), 2, MostFrames, 1, {}}, &dialog);
+  FormDialog dialog(RenderPanel::tr("Render animation"), parent);
+  NumberBox* frames = number_box(
+      {RenderPanel::tr("Frames"), RenderPanel::tr("Number of images of the animation"), 2, MostFrames, 1, {}},
+      &dialog);
   frames->set_whole(true);
   frames->set_value(std::max(2, render_options.frames));
-  QComboBox* path =
-      narrow_list(tr("Camera path"), tr("How the camera moves from frame to frame"), 30, &dialog);
-  path->addItem(tr("Turntable about the look-at point"), "turntable");
+  QComboBox* path = narrow_list(RenderPanel::tr("Camera path"),
+                                RenderPanel::tr("How the camera moves from frame to frame"), 30, &dialog);
+  path->addItem(RenderPanel::tr("Turntable about the look-at point"), "turntable");
   // A path leads from a named camera to another one.
   if (render_options.cameras.size() > 1) {
-    path->addItem(tr("Linear through the named cameras"), "linear");
-    path->addItem(tr("Smooth through the named cameras"), "smooth");
+    path->addItem(RenderPanel::tr("Linear through the named cameras"), "linear");
+    path->addItem(RenderPanel::tr("Smooth through the named cameras"), "smooth");
   }
   path->setCurrentIndex(std::max(0, path->findData(QString::fromStdString(render_options.camera_path))));
-  dialog.form().addRow(tr("&Frames"), frames);
-  dialog.form().addRow(tr("Camera &path"), path);
+  dialog.form().addRow(RenderPanel::tr("&Frames"), frames);
+  dialog.form().addRow(RenderPanel::tr("Camera &path"), path);
   if (dialog.exec() != QDialog::Accepted) return std::nullopt;
   RenderOptions animation = render_options;
   animation.frames = static_cast<int>(std::lround(frames->value()));

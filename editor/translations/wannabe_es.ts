@@ -242,70 +242,6 @@ Valores: %2. Por defecto: %3.</translation>
         <source>The faces belong to a mesh light, which has a radiance and does not reflect.</source>
         <translation>Las caras son de una malla emisora, que tiene radiancia y no refleja.</translation>
     </message>
-    <message>
-        <source>Render cameras</source>
-        <translation>Renderizar cámaras</translation>
-    </message>
-    <message>
-        <source>Cameras to render</source>
-        <translation>Cámaras para renderizar</translation>
-    </message>
-    <message>
-        <source>Each checked camera becomes a job; Space checks one</source>
-        <translation>Cada cámara marcada será una tarea; la barra espaciadora marca una</translation>
-    </message>
-    <message>
-        <source>Render camera</source>
-        <translation>Cámara de render</translation>
-    </message>
-    <message>
-        <source>Queue a render per camera</source>
-        <translation>Pone en cola un render por cámara</translation>
-    </message>
-    <message>
-        <source>No camera is checked</source>
-        <translation>No hay ninguna cámara marcada</translation>
-    </message>
-    <message>
-        <source>Render animation</source>
-        <translation>Renderizar animación</translation>
-    </message>
-    <message>
-        <source>Frames</source>
-        <translation>Fotogramas</translation>
-    </message>
-    <message>
-        <source>Number of images of the animation</source>
-        <translation>Número de imágenes de la animación</translation>
-    </message>
-    <message>
-        <source>Camera path</source>
-        <translation>Recorrido de la cámara</translation>
-    </message>
-    <message>
-        <source>How the camera moves from frame to frame</source>
-        <translation>Cómo se mueve la cámara de un fotograma a otro</translation>
-    </message>
-    <message>
-        <source>Turntable about the look-at point</source>
-        <translation>Plato giratorio en torno al punto de mira</translation>
-    </message>
-    <message>
-        <source>Linear through the named cameras</source>
-        <translation>Lineal por las cámaras con nombre</translation>
-    </message>
-    <message>
-        <source>Smooth through the named cameras</source>
-        <translation>Suave por las cámaras con nombre</translation>
-    </message>
-    <message>
-        <source>&amp;Frames</source>
-        <translation>&amp;Fotogramas</translation>
-    </message>
-    <message>
-        <source>Camera &amp;path</source>
-        <translation>&amp;Recorrido de la cámara</translation>
-    </message>
 </context>
 <context>
     <name>editor::BakeController</name>
@@ -2060,13 +1996,6 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
     <message>
         <source>The image rendered so far. Click or press Return to open it</source>
         <translation>La imagen renderizada hasta ahora. Haga clic o pulse Intro para abrirla</translation>
-    </message>
-</context>
-<context>
-    <name>editor::FormDialog</name>
-    <message>
-        <source>&amp;Render</source>
-        <translation>&amp;Renderizar</translation>
     </message>
 </context>
 <context>
@@ -5177,6 +5106,74 @@ BPT_Scene  scene.grf</translation>
     <message>
         <source>Render %1 and %2 more</source>
         <translation>Renderizar %1 y %2 más</translation>
+    </message>
+    <message>
+        <source>&amp;Render</source>
+        <translation>&amp;Renderizar</translation>
+    </message>
+    <message>
+        <source>Render cameras</source>
+        <translation>Renderizar cámaras</translation>
+    </message>
+    <message>
+        <source>Cameras to render</source>
+        <translation>Cámaras para renderizar</translation>
+    </message>
+    <message>
+        <source>Each checked camera becomes a job; Space checks one</source>
+        <translation>Cada cámara marcada será una tarea; la barra espaciadora marca una</translation>
+    </message>
+    <message>
+        <source>Render camera</source>
+        <translation>Cámara de render</translation>
+    </message>
+    <message>
+        <source>Queue a render per camera</source>
+        <translation>Pone en cola un render por cámara</translation>
+    </message>
+    <message>
+        <source>No camera is checked</source>
+        <translation>No hay ninguna cámara marcada</translation>
+    </message>
+    <message>
+        <source>Render animation</source>
+        <translation>Renderizar animación</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Fotogramas</translation>
+    </message>
+    <message>
+        <source>Number of images of the animation</source>
+        <translation>Número de imágenes de la animación</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>Recorrido de la cámara</translation>
+    </message>
+    <message>
+        <source>How the camera moves from frame to frame</source>
+        <translation>Cómo se mueve la cámara de un fotograma a otro</translation>
+    </message>
+    <message>
+        <source>Turntable about the look-at point</source>
+        <translation>Plato giratorio en torno al punto de mira</translation>
+    </message>
+    <message>
+        <source>Linear through the named cameras</source>
+        <translation>Lineal por las cámaras con nombre</translation>
+    </message>
+    <message>
+        <source>Smooth through the named cameras</source>
+        <translation>Suave por las cámaras con nombre</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>&amp;Fotogramas</translation>
+    </message>
+    <message>
+        <source>Camera &amp;path</source>
+        <translation>&amp;Recorrido de la cámara</translation>
     </message>
 </context>
 <context>
