@@ -66,7 +66,7 @@ class Builder {
         root->add(group(tr("Objects"), tr("The objects of the scene, nested as in its scene graph")));
     path_.clear();
     add_blocks(document_.scene().contents, 0, *objects);
-    objects->detail = objects->children.empty() ? tr("none") : numbers_in(*objects);
+    objects->detail = objects->children.empty() ? tr("none") : QString::number(objects->children.size());
     const std::vector<std::pair<QString, Kind>> kinds = {{tr("BRDFs"), Kind::Brdf},
                                                          {tr("Sampling schemes"), Kind::Pdf},
                                                          {tr("Colours"), Kind::Colour},
