@@ -67,7 +67,8 @@ class Builder {
         SceneTree::tr("Objects"), SceneTree::tr("The objects of the scene, nested as in its scene graph")));
     path_.clear();
     add_blocks(document_.scene().contents, 0, *objects);
-    objects->detail = objects->children.empty() ? SceneTree::tr("none") : numbers_in(*objects);
+    objects->detail =
+        objects->children.empty() ? SceneTree::tr("none") : QString::number(objects->children.size());
     const std::vector<std::pair<QString, Kind>> kinds = {
         {SceneTree::tr("BRDFs"), Kind::Brdf},
         {SceneTree::tr("Sampling schemes"), Kind::Pdf},

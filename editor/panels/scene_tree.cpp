@@ -27,6 +27,12 @@ void add_faces(const SceneEntry& entry, FaceSelection& selection) {
   for (const auto& child : entry.children) add_faces(*child, selection);
 }
 
+/// Whether some faces of an entry's meshes or of its descendants are selected.
+bool has_selection(const SceneEntry& entry) {
+  return entry.has_selection ||
+         std::ranges::any_of(entry.children, [](const auto& child) { return has_selection(*child); });
+}
+
 }  // namespace
 
 SceneTree::SceneTree(Document& document, QWidget* parent)
@@ -215,7 +221,7 @@ void SceneTree::show_selection() {
   const QScopedValueRollback guard(is_selecting_, true);
   const auto entries = chosen_entries();
   const bool is_shown =
-      std::ranges::any_of(entries, [](const SceneEntry* entry) { return entry->has_selection; });
+      std::ranges::any_of(entries, [](const SceneEntry* entry) { return has_selection(*entry); });
   if (is_shown) return;
   const QModelIndex first = filter_->mapFromSource(model_->first_with_selection());
   if (!first.isValid()) {

@@ -3428,8 +3428,8 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
         <translation>Coordenadas de te&amp;xtura</translation>
     </message>
     <message>
-        <source>Hel&amp;p</source>
-        <translation>A&amp;yuda</translation>
+        <source>Help</source>
+        <translation>Ayuda</translation>
     </message>
 </context>
 <context>

@@ -202,7 +202,7 @@ void MainWindow::make_help_menu() {
   for (const Tool& tool : tools()) {
     menu->addAction(new_action(*this, {tool.title, {}, {}, tool.about}, [this, tool] { open_tool(tool); }));
   }
-  QMenu* help = add_menu(*menuBar(), tr("Hel&p"));
+  QMenu* help = add_menu(*menuBar(), tr("Help"));
   help->addAction(new_action(
       *this, {tr("&Keyboard shortcuts"), {}, QKeySequence("F1"), tr("List and search all shortcuts")},
       [this] { show_shortcuts(*this); }));

@@ -17,6 +17,7 @@
 #include "editor/options/options_window.h"
 #include "editor/panels/camera_panel.h"
 #include "editor/panels/face_query_dialog.h"
+#include "editor/panels/scene_tree.h"
 #include "editor/panels/texture_row.h"
 #include "editor/panels/uv_panel.h"
 #include "editor/panels/uv_view.h"
@@ -154,6 +155,24 @@ QPixmap choosing_faces() {
   return picture;
 }
 
+/// Objects in a group, one of them hidden and one locked.
+QPixmap scene_list() {
+  Stage stage({1280, 800});
+  stage.open_as_rendered(Samples + "cornell_box/cornell_box.grf");
+  editor::Document& document = stage.window().document();
+  const auto& instances = *document.objects().instances;
+  document.select_objects({instances[0].path, instances[1].path});
+  stage.act("Group");
+  editor::EditorState state = document.editor_state();
+  state.hidden.set_mesh(0);
+  state.locked.set_mesh(1);
+  document.set_editor_state(std::move(state));
+  QTreeView& list = *stage.window().scene_tree().view();
+  list.expandToDepth(1);
+  stage.settle();
+  return stage.picture();
+}
+
 QPixmap lights_dock() {
   Stage stage;
   stage.open(Samples + "cornell_box/cornell_box.grf");
@@ -286,6 +305,7 @@ std::vector<Picture> manual_pictures() {
       {"scene", [] { return dock_with_models("scene"); }},
       {"lights", lights_dock},
       {"choosing", choosing_faces},
+      {"scene_list", scene_list},
       {"placing", placing},
       {"cameras", cameras},
       {"rendered", rendered_view},

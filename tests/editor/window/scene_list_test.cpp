@@ -342,7 +342,11 @@ TEST_F(SceneListOrder, GroupsAndReparents) {
   press_in_list(Qt::Key_G, Qt::ControlModifier);
   EXPECT_EQ(order(), "transform[a b] tile");
   EXPECT_EQ(item("transform").siblingAtColumn(1).data().toString(), "2 objects, 4 faces");
-  EXPECT_EQ(item("Objects").siblingAtColumn(1).data().toString(), "2 objects, 6 faces");
+  click_item("b", SceneModel::LockedColumn);
+  EXPECT_THAT(selected(), ElementsAre(5, 6)) << "of the second mesh, a";
+  EXPECT_EQ(list().currentIndex(), item("transform")) << "it still has selected faces";
+  click_item("a");
+  EXPECT_EQ(document().selected_objects().back().size(), 3U) << "the child of the group, which is in a scope";
   click_item("tile");
   drop_on("transform");
   EXPECT_EQ(order(), "transform[a b tile]");
