@@ -20,7 +20,9 @@ QAction* make(QWidget& window, const ActionText& text) {
 }  // namespace
 
 void set_shortcuts(QAction& action, const QList<QKeySequence>& shortcuts) {
-  action.setShortcuts(shortcuts);
+  QList<QKeySequence> given = shortcuts;
+  given.removeAll(QKeySequence());
+  action.setShortcuts(given);
   const QString keys = action.shortcut().toString(QKeySequence::NativeText);
   const QString tip = action.statusTip();
   action.setToolTip(keys.isEmpty() ? tip : QString("%1 (%2)").arg(tip, keys));

@@ -13,6 +13,7 @@
 
 #include "editor/controls/notice_bar.h"
 #include "editor/document/model_import.h"
+#include "editor/document/reimport.h"
 #include "editor/window/file_actions.h"
 #include "tests/editor/window/window_driver.h"
 #include "tests/support/paths.h"
@@ -72,7 +73,9 @@ grf::Scene imported(const QString& file, const QString& folder) {
   QSignalSpy done(&import, &ModelImport::done);
   import.start(file);
   if (done.empty()) done.wait(Minute);
-  return document.scene();
+  grf::Scene scene = document.scene();
+  mark_imported(scene, file);
+  return scene;
 }
 
 TEST(RecoveryOfTheProgram, GivesBackWhatWasUnsavedWhenItDied) {
