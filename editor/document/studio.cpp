@@ -35,6 +35,10 @@ grf::Scene add_studio(const grf::Scene& scene, const SceneObjects& objects) {
   constexpr double Gap = 1e-4;      // the undersides of objects are not in the plane of the floor
   grf::Mesh floor = mesh_of(shape_of_size(PrimitiveShape::Kind::Plane, FloorSide * radius));
   floor.name = "floor";
+  grf::BrdfModel grey;
+  grey.keyword = "diffuse";
+  grey.arguments = {grf::Argument{"kd", grf::Value(0.5F), {}}};
+  floor.surfaces.front().brdf = grey;
   const grf::Vec3d below(centre.x, bounds.min.y - Gap * radius, centre.z);
   grf::Scene studio = add_mesh(scene, objects, std::move(floor), below).scene;
 

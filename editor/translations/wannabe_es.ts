@@ -3539,7 +3539,7 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
     </message>
     <message>
         <source>&amp;Recalculate outside</source>
-        <translation>&amp;Recalcular hacia fuera</translation>
+        <translation>Recalcular &amp;hacia fuera</translation>
     </message>
     <message>
         <source>Make the normals of the faces agree and point outward, in the meshes %1</source>
@@ -3551,7 +3551,7 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
     </message>
     <message>
         <source>Select &amp;inward faces</source>
-        <translation>Seleccionar caras &amp;invertidas</translation>
+        <translation>Seleccionar caras in&amp;vertidas</translation>
     </message>
     <message>
         <source>Select the faces whose normals point inward (flipped normals), in the meshes of the selected faces, or in all if none is selected</source>
@@ -4118,7 +4118,7 @@ Los problemas aparecen aquí mientras edita.</translation>
     </message>
     <message>
         <source>Make sing&amp;le</source>
-        <translation>Hacer ú&amp;nico</translation>
+        <translation>&amp;Hacer único</translation>
     </message>
     <message>
         <source>Turn the selected instances into meshes of their own</source>
@@ -4126,7 +4126,7 @@ Los problemas aparecen aquí mientras edita.</translation>
     </message>
     <message>
         <source>Make &amp;instance</source>
-        <translation>Hacer ins&amp;tancia</translation>
+        <translation>&amp;Definir e instanciar</translation>
     </message>
     <message>
         <source>Turn the last of the selected meshes into a definition and an instance of it</source>
@@ -6872,7 +6872,7 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
     </message>
     <message>
         <source>Rendere&amp;d</source>
-        <translation>Ren&amp;derizado</translation>
+        <translation>Renderi&amp;zado</translation>
     </message>
     <message>
         <source>The renderer&apos;s preview, which follows the view and your edits</source>
@@ -7095,7 +7095,7 @@ La versión anterior se sigue mostrando.</translation>
     </message>
     <message>
         <source>&amp;Hide selected</source>
-        <translation>&amp;Ocultar la selección</translation>
+        <translation>Ocult&amp;ar la selección</translation>
     </message>
     <message>
         <source>Hide the selected faces in the view</source>
@@ -7111,7 +7111,7 @@ La versión anterior se sigue mostrando.</translation>
     </message>
     <message>
         <source>Sho&amp;w all</source>
-        <translation>&amp;Mostrar todas</translation>
+        <translation>Mostrar to&amp;das</translation>
     </message>
     <message>
         <source>Show all hidden faces again</source>
@@ -7119,7 +7119,7 @@ La versión anterior se sigue mostrando.</translation>
     </message>
     <message>
         <source>&amp;Isolate</source>
-        <translation>A&amp;islar</translation>
+        <translation>Aislar &amp;geometría</translation>
     </message>
     <message>
         <source>Hide all meshes but those with selected faces, or show again what that hid</source>
@@ -7127,7 +7127,7 @@ La versión anterior se sigue mostrando.</translation>
     </message>
     <message>
         <source>Loc&amp;k selected</source>
-        <translation>&amp;Bloquear la selección</translation>
+        <translation>&amp;Fijar (bloquear) la selección</translation>
     </message>
     <message>
         <source>Lock the selected faces: they are shown, but the view does not select them</source>

@@ -45,6 +45,7 @@ TEST(Studio, PutsAFloorUnderTheScene) {
     const SceneObjects objects = studio_objects(radius, -2 * radius);
     ASSERT_EQ(objects.meshes.size(), 2U);
     EXPECT_EQ(objects.meshes[1].mesh->name, "floor");
+    EXPECT_TRUE(objects.meshes[1].mesh->surface(0).brdf) << "a face without a BRDF is a warning";
     const grf::Box3d floor = object_bounds(objects, objects.meshes[1].path);
     EXPECT_NEAR(floor.min.y, -2 * radius, 0.001 * radius);
     EXPECT_LT(floor.min.y, -2 * radius) << "not in the plane of the undersides";

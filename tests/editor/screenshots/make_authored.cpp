@@ -178,6 +178,7 @@ void make_still_life(const QString& folder) {
   put("torus", ".8", 0.1, 0.3, "copper");
   put("cylinder", ".5", 1.2, 0, "velvet");
   author.click({table.max.x - 0.1, top - 0.05, table.max.z}, "the table");
+  author.paint("oren");
   author.frame_mesh();
   author.menu("Add a studio");
   author.align_camera();
@@ -189,6 +190,9 @@ void make_outdoors(const QString& folder) {
   Author author(folder);
   author.menu("Add a plane");
   author.keys("s12");
+  author.press(Qt::Key_Home, "Home");
+  author.click({0, 0, 0}, "the plane");
+  author.paint("felt");
   author.menu("Add a sphere");
   author.keys("s.3");
   author.menu("Drop to floor");
@@ -211,6 +215,9 @@ void make_blocks(const QString& folder) {
   Author author(folder);
   author.menu("Add a plane");
   author.keys("s3");
+  author.press(Qt::Key_Home, "Home");
+  author.click({0, 0, 0}, "the plane");
+  author.paint("felt");
   const QString brdfs[] = {"ward", "oren", "ashikhmin"};
   double top = 0;
   for (int i = 0; i < 3; ++i) {
