@@ -71,9 +71,13 @@ class Gestures {
     timer.start(20);
     drop(user_window_, files, {9, 9}, modifiers);
     QTest::qWait(50);
+    // Without a window manager, the focus may go nowhere a moment after the dialog was closed.
+    QTest::qWait(200);
+    user_window_.activateWindow();
+    const bool is_active = QTest::qWaitForWindowActive(&user_window_);
     const bool is_done =
         QTest::qWaitFor([this] { return user_window_.jobs().jobs().empty(); }, Minute) && is_drawn();
-    if (!is_done || !is_used) throw std::runtime_error("the model was not imported");
+    if (!is_done || !is_used || !is_active) throw std::runtime_error("the model was not imported");
   }
 
   // Not gestures.
