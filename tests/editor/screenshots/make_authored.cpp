@@ -224,6 +224,7 @@ void make_blocks(const QString& folder) {
     author.menu("Add a box");
     author.keys(QString("s%1").arg(1 - 0.2 * i));
     author.keys(QString("ry%1").arg(20 * i));
+    author.menu("Drop to floor");
     author.keys(QString("gy%1").arg(top));
     author.press(Qt::Key_Home, "Home");
     const grf::Box3d box = author.bounds();
