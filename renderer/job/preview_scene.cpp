@@ -33,9 +33,10 @@ std::optional<RenderSettings> PreviewScene::prepare(const PreviewRequest& reques
   }
   RenderSettings settings = settings_of(request.options, compiled_->bounds());
   if (request.view) {
-    settings.view = *request.view;
-    settings.view.lens_radius = request.options.lens_radius;
-    settings.view.focus_distance = request.options.focus_distance.value_or(0);
+    transport::View view = *request.view;
+    view.lens_radius = settings.view.lens_radius;
+    view.focus_distance = settings.view.focus_distance;
+    settings.view = view;
   }
   if (!has_sample_limit(request.options)) settings.samples = RenderSettings::Unlimited;
   if (!is_repeated) reuse_environment(request.options, settings);

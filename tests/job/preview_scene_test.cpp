@@ -40,6 +40,23 @@ TEST_F(PreviewSceneTest, CompilesNothingWhereTheViewAloneChanges) {
   EXPECT_EQ(scene_.compilations(), 2) << "another sampling scheme has other tables";
 }
 
+TEST_F(PreviewSceneTest, HasTheLensOfTheSelectedCameraInAnotherView) {
+  PreviewRequest request = test::request(test::scene_of_text(test::Corner));
+  request.options.lens_radius = 0.5F;
+  request.options.cameras = {
+      {"close up", grf::Vec3f(0, 0, 4), grf::Vec3f(0), grf::Vec3f(0, 1, 0), 30, 0.25F, 3}};
+  request.view = transport::View{.eye = grf::Vec3d(2, 2, 2)};
+  auto settings = scene_.prepare(request, {}, diagnostics_);
+  ASSERT_TRUE(settings) << diagnostics_.to_text();
+  EXPECT_EQ(settings->view.lens_radius, 0.5F);
+  request.options.camera = "close up";
+  settings = scene_.prepare(request, {}, diagnostics_);
+  ASSERT_TRUE(settings) << diagnostics_.to_text();
+  EXPECT_EQ(settings->view.eye, grf::Vec3d(2, 2, 2));
+  EXPECT_EQ(settings->view.lens_radius, 0.25F);
+  EXPECT_EQ(settings->view.focus_distance, 3);
+}
+
 TEST_F(PreviewSceneTest, KeepsWhatCastsRaysWhereSurfacesAloneChange) {
   PreviewRequest request = test::request(test::scene_of_text(test::Corner));
   ASSERT_TRUE(prepare(request)) << diagnostics_.to_text();
