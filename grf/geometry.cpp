@@ -45,6 +45,10 @@ void Geometry::add_face(std::span<const std::uint32_t> face_corners) {
   face_offsets.push_back(static_cast<std::uint32_t>(corners.size()));
 }
 
+void Geometry::reverse_face(std::size_t index) {
+  std::reverse(corners.begin() + face_offsets[index] + 1, corners.begin() + face_offsets[index + 1]);
+}
+
 void Geometry::free_spare_memory() {
   const auto free = [](auto& values) {
     if (has_spare_memory(values)) values.shrink_to_fit();

@@ -86,6 +86,8 @@ struct Geometry {
 
   /// Appends a face of three corners or more, vertex indices in counter-clockwise order seen from the front.
   void add_face(std::span<const std::uint32_t> face_corners);
+  /// Reverses the orientation of a face; its first corner stays the first.
+  void reverse_face(std::size_t index);
 
   /// Frees the spare capacity of the arrays.
   void free_spare_memory();

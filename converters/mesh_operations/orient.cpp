@@ -115,10 +115,7 @@ grf::Mesh oriented_outward(const grf::Mesh& mesh) {
   if (std::find(reversed.begin(), reversed.end(), true) == reversed.end()) return mesh;
   Geometry geometry = *mesh.geometry;
   for (std::size_t face = 0; face < reversed.size(); ++face) {
-    if (!reversed[face]) continue;
-    // The first corner stays the first.
-    const auto first = geometry.corners.begin() + geometry.face_offsets[face] + 1;
-    std::reverse(first, geometry.corners.begin() + geometry.face_offsets[face + 1]);
+    if (reversed[face]) geometry.reverse_face(face);
   }
   turn_normals(geometry);
   grf::Mesh result = mesh;

@@ -40,11 +40,7 @@ class TransformTaker {
       if (geometry.normals.has(i))
         geometry.normals.set(i, turned(geometry.normals[i], normal_matrix_).normalized());
     }
-    for (std::size_t face = 0; mirrors_ && face < geometry.face_count(); ++face) {
-      // The first corner stays the first.
-      const auto first = geometry.corners.begin() + geometry.face_offsets[face] + 1;
-      std::reverse(first, geometry.corners.begin() + geometry.face_offsets[face + 1]);
-    }
+    for (std::size_t face = 0; mirrors_ && face < geometry.face_count(); ++face) geometry.reverse_face(face);
     mesh.edit().geometry = std::move(geometry);
   }
   void take(grf::MeshLight& light) { take(light.mesh); }

@@ -71,11 +71,7 @@ grf::Scene with_edited_meshes(const SelectedFaces& faces, const MeshEdit& edit) 
 
 grf::Mesh flipped_mesh(const grf::Mesh& mesh) {
   grf::MeshDraft flipped(mesh);
-  for (std::size_t face = 0; face < flipped.face_count(); ++face) {
-    // The first corner stays the first.
-    const auto begin = flipped.corners.begin() + flipped.face_offsets[face] + 1;
-    std::reverse(begin, flipped.corners.begin() + flipped.face_offsets[face + 1]);
-  }
+  for (std::size_t face = 0; face < flipped.face_count(); ++face) flipped.reverse_face(face);
   for (std::size_t i = 0; i < flipped.positions.size(); ++i) {
     if (flipped.normals.has(i)) flipped.normals.set(i, -flipped.normals[i]);
   }
