@@ -16,15 +16,7 @@ constexpr double SensorHeight = 24;  // mm
 }  // namespace
 
 transport::View own_camera(const Document& document) {
-  const options::RenderOptions& now = document.options().valid_options();
-  const float aspect = static_cast<float>(now.size.width) / static_cast<float>(now.size.height);
-  transport::View view = transport::view_of(document.objects().bounds, now.field_of_view, aspect);
-  view.up = now.up;
-  view.lens_radius = now.lens_radius;
-  view.focus_distance = now.focus_distance.value_or(0);
-  if (now.eye) view.eye = grf::Vec3d(*now.eye);
-  if (now.target) view.target = grf::Vec3d(*now.target);
-  return view;
+  return job::own_view(document.options().valid_options(), document.objects().bounds);
 }
 
 transport::View render_camera(const Document& document) {
@@ -39,10 +31,8 @@ void place_own_camera(options::RenderOptions& render_options, const transport::V
 }
 
 void place_render_camera(options::RenderOptions& render_options, const transport::View& view) {
-  const auto is_selected = [&](const options::NamedCamera& camera) {
-    return camera.name == render_options.camera;
-  };
-  const auto selected = std::ranges::find_if(render_options.cameras, is_selected);
+  const auto selected =
+      std::ranges::find(render_options.cameras, render_options.camera, &options::NamedCamera::name);
   if (selected == render_options.cameras.end()) return place_own_camera(render_options, view);
   transport::View placed = view;
   placed.lens_radius = selected->lens_radius;

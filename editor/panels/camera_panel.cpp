@@ -30,6 +30,10 @@ constexpr int RendersColumn = 1;
 using options::RenderOptions;
 using transport::View;
 
+bool is_free_name(const std::vector<options::NamedCamera>& cameras, const std::string& name) {
+  return std::ranges::find(cameras, name, &options::NamedCamera::name) == cameras.end();
+}
+
 }  // namespace
 
 struct CameraPanel::Field {
@@ -191,10 +195,7 @@ QString CameraPanel::free_name() const {
   const auto& cameras = document_.options().valid_options().cameras;
   for (int number = 1;; ++number) {
     const QString name = tr("camera %1").arg(number);
-    const auto has_name = [&](const options::NamedCamera& camera) {
-      return camera.name == name.toStdString();
-    };
-    if (std::ranges::none_of(cameras, has_name)) return name;
+    if (is_free_name(cameras, name.toStdString())) return name;
   }
 }
 
@@ -232,9 +233,8 @@ void CameraPanel::rename(QTreeWidgetItem* item, int column) {
   const int row = list_->indexOfTopLevelItem(item);
   RenderOptions wanted = document_.options().valid_options();
   const std::string name = item->text(column).trimmed().toStdString();
-  const auto has_name = [&](const options::NamedCamera& camera) { return camera.name == name; };
   const bool is_free = !name.empty() && name != "none" && name.find('"') == std::string::npos &&
-                       std::ranges::none_of(wanted.cameras, has_name);
+                       is_free_name(wanted.cameras, name);
   if (row > 0 && is_free) {
     std::string& old = wanted.cameras[static_cast<std::size_t>(row) - 1].name;
     if (wanted.camera == old) wanted.camera = name;

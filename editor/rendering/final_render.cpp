@@ -12,6 +12,7 @@
 #include "editor/document/op_files.h"
 #include "editor/rendering/render_files.h"
 #include "grf/text_file.h"
+#include "renderer/job/camera_path.h"
 
 namespace editor {
 FinalRender::FinalRender(QString program, QObject* parent) : QObject(parent), process_(std::move(program)) {
@@ -40,17 +41,11 @@ QString FinalRender::output_of(const FinalRenderRequest& request) const {
 
 QStringList FinalRender::images_of(const FinalRenderRequest& request) const {
   const QString output = output_of(request);
-  const options::RenderOptions& now = request.options;
-  if (now.frames <= 1) return {output};
-  const QFileInfo file(output);
   QStringList images;
-  for (int frame = std::max(1, now.frame); frame <= (now.frame > 0 ? now.frame : now.frames); ++frame) {
-    images << file.dir().filePath(QString("%1_%2.%3")
-                                      .arg(file.completeBaseName())
-                                      .arg(frame, 4, 10, QLatin1Char('0'))
-                                      .arg(file.suffix()));
+  for (const int frame : job::frames_of(request.options)) {
+    images << QString::fromStdString(job::file_of_frame(output.toStdString(), frame));
   }
-  return images;
+  return images.isEmpty() ? QStringList(output) : images;
 }
 
 bool FinalRender::is_from_other_session(const QString& output) const {

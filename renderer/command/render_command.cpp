@@ -19,6 +19,7 @@
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_reports.h"
 #include "renderer/command/render_run.h"
+#include "renderer/job/camera_path.h"
 #include "renderer/job/render_job.h"
 #include "renderer/transport/render.h"
 
@@ -157,14 +158,6 @@ RunSettings run_settings_of(const RenderOptions& render_options, const std::stri
   return settings;
 }
 
-/// Returns the file of a frame: its number is inserted before the extension.
-std::string file_of_frame(const std::string& path, int frame) {
-  const std::filesystem::path whole(path);
-  std::filesystem::path named = whole.parent_path() / whole.stem();
-  named += fmt::format("_{:04}", frame) + whole.extension().string();
-  return named.string();
-}
-
 /// Renders and writes one image; `before` has the messages about the options.
 ExitCode render_image(const RenderArguments& arguments, const RenderOptions& render_options,
                       const std::vector<std::string>& outputs, const Diagnostics& before) {
@@ -195,14 +188,12 @@ ExitCode render_image(const RenderArguments& arguments, const RenderOptions& ren
 /// Renders the frames of an animation, up to the first that fails.
 ExitCode render_frames(const RenderArguments& arguments, RenderOptions render_options,
                        const std::vector<std::string>& outputs, const Diagnostics& diagnostics) {
-  const bool is_one = render_options.frame > 0;
-  const int last = is_one ? render_options.frame : render_options.frames;
   const std::string checkpoint = render_options.checkpoint;
-  for (int frame = is_one ? last : 1; frame <= last; ++frame) {
+  for (const int frame : job::frames_of(render_options)) {
     render_options.frame = frame;
-    if (!checkpoint.empty()) render_options.checkpoint = file_of_frame(checkpoint, frame);
+    if (!checkpoint.empty()) render_options.checkpoint = job::file_of_frame(checkpoint, frame);
     std::vector<std::string> of_frame;
-    for (const std::string& output : outputs) of_frame.push_back(file_of_frame(output, frame));
+    for (const std::string& output : outputs) of_frame.push_back(job::file_of_frame(output, frame));
     const ExitCode code = render_image(arguments, render_options, of_frame, diagnostics);
     if (code != ExitCode::Done) return code;
   }

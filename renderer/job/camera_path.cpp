@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,8 +19,7 @@ using options::RenderOptions;
 using transport::View;
 
 const NamedCamera* find(const RenderOptions& render_options, const std::string& name) {
-  const auto found = std::find_if(render_options.cameras.begin(), render_options.cameras.end(),
-                                  [&](const NamedCamera& camera) { return camera.name == name; });
+  const auto found = std::ranges::find(render_options.cameras, name, &NamedCamera::name);
   return found == render_options.cameras.end() ? nullptr : &*found;
 }
 
@@ -120,6 +121,18 @@ bool check_cameras(const RenderOptions& render_options, grf::Diagnostics& diagno
   return true;
 }
 
+View own_view(const RenderOptions& render_options, const grf::Box3d& bounds) {
+  const float aspect =
+      static_cast<float>(render_options.size.width) / static_cast<float>(render_options.size.height);
+  View view = transport::view_of(bounds, render_options.field_of_view, aspect);
+  if (render_options.eye) view.eye = *render_options.eye;
+  if (render_options.target) view.target = *render_options.target;
+  view.up = render_options.up;
+  view.lens_radius = render_options.lens_radius;
+  view.focus_distance = render_options.focus_distance.value_or(0);
+  return view;
+}
+
 std::optional<View> named_view(const RenderOptions& render_options) {
   const NamedCamera* camera = find(render_options, render_options.camera);
   return camera == nullptr ? std::nullopt : std::optional(view_of(*camera));
@@ -133,6 +146,21 @@ View view_of_frame(const RenderOptions& render_options, const View& view) {
   const double place =
       frame / (render_options.frames - 1) * static_cast<double>(render_options.cameras.size() - 1);
   return along(render_options.cameras, place, render_options.camera_path == "smooth");
+}
+
+std::vector<int> frames_of(const RenderOptions& render_options) {
+  if (render_options.frames == 1) return {};
+  if (render_options.frame > 0) return {render_options.frame};
+  std::vector<int> frames(static_cast<std::size_t>(render_options.frames));
+  std::iota(frames.begin(), frames.end(), 1);
+  return frames;
+}
+
+std::string file_of_frame(const std::string& path, int frame) {
+  const std::filesystem::path whole(path);
+  std::filesystem::path named = whole.parent_path() / whole.stem();
+  named += fmt::format("_{:04}", frame) + whole.extension().string();
+  return named.string();
 }
 
 }  // namespace job

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "grf/diagnostics.h"
 #include "renderer/options/render_options.h"
@@ -16,6 +18,10 @@ bool check_cameras(const options::RenderOptions& render_options, grf::Diagnostic
 /// Returns the view of a camera.
 transport::View view_of(const options::NamedCamera& camera);
 
+/// Returns the view of the camera that the options have without a name, framed to a scene of these bounds as
+/// far as they do not place it.
+transport::View own_view(const options::RenderOptions& render_options, const grf::Box3d& bounds);
+
 /// Returns the view of the camera that the options name, if it exists.
 std::optional<transport::View> named_view(const options::RenderOptions& render_options);
 
@@ -23,5 +29,11 @@ std::optional<transport::View> named_view(const options::RenderOptions& render_o
 /// view for a still image. A turntable has a full turn, counter-clockwise seen from above, and no frame
 /// twice; a path through cameras begins at the first one and ends at the last one.
 transport::View view_of_frame(const options::RenderOptions& render_options, const transport::View& view);
+
+/// Returns the frames of an animation that the options ask for, from 1; none for a still image.
+std::vector<int> frames_of(const options::RenderOptions& render_options);
+
+/// Returns the file of a frame: `image_0001.exr` for `image.exr`.
+std::string file_of_frame(const std::string& path, int frame);
 
 }  // namespace job

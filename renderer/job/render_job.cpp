@@ -123,15 +123,8 @@ transport::RenderSettings settings_of(const RenderOptions& render_options, const
   transport::RenderSettings settings;
   settings.width = render_options.size.width;
   settings.height = render_options.size.height;
-  const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
-  settings.view = transport::view_of(bounds, render_options.field_of_view, aspect);
-  if (render_options.eye) settings.view.eye = *render_options.eye;
-  if (render_options.target) settings.view.target = *render_options.target;
-  settings.view.up = render_options.up;
-  settings.view.lens_radius = render_options.lens_radius;
-  settings.view.focus_distance = render_options.focus_distance.value_or(0);
-  if (const auto named = named_view(render_options)) settings.view = *named;
-  settings.view = view_of_frame(render_options, settings.view);
+  settings.view =
+      view_of_frame(render_options, named_view(render_options).value_or(own_view(render_options, bounds)));
   settings.integrator.background = render_options.background;
   settings.integrator.depth = render_options.depth;
   settings.integrator.split_count = render_options.split_count;

@@ -87,6 +87,17 @@ TEST(CameraPath, FindsCamerasByTheirNames) {
   EXPECT_EQ(job::named_view(options)->field_of_view, 25);
 }
 
+TEST(CameraPath, NumbersItsFiles) {
+  EXPECT_EQ(job::file_of_frame("renders/my.scene.exr", 7), "renders/my.scene_0007.exr");
+  EXPECT_EQ(job::file_of_frame("image", 12345), "image_12345");
+  RenderOptions options;
+  EXPECT_EQ(job::frames_of(options), std::vector<int>());
+  options.frames = 3;
+  EXPECT_EQ(job::frames_of(options), (std::vector<int>{1, 2, 3}));
+  options.frame = 2;
+  EXPECT_EQ(job::frames_of(options), std::vector<int>{2});
+}
+
 std::string problem_of(const RenderOptions& options) {
   grf::Diagnostics diagnostics;
   const bool is_right = job::check_cameras(options, diagnostics);
