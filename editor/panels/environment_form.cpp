@@ -36,6 +36,15 @@ QStringList bundled_environments() {
   return paths;
 }
 
+void set_environment(OpDocument& render_options, const QString& path) {
+  options::RenderOptions wanted = render_options.valid_options();
+  wanted.environment = path.toStdString();
+  wanted.projection = options::RenderOptions().projection;
+  render_options.set_options(
+      path.isEmpty() ? EnvironmentForm::tr("Remove environment") : EnvironmentForm::tr("Set environment"),
+      wanted);
+}
+
 EnvironmentForm::EnvironmentForm(OpDocument& render_options, QWidget* parent)
     : QWidget(parent),
       render_options_(render_options),
@@ -112,17 +121,9 @@ void EnvironmentForm::change(const QString& title, const QString& key, const Edi
   render_options_.set_options(title, wanted, key);
 }
 
-void EnvironmentForm::set_environment(const QString& path) {
-  render_options_.finish_step();
-  change(path.isEmpty() ? tr("Remove environment") : tr("Set environment"), {}, [&](auto& wanted) {
-    wanted.environment = path.toStdString();
-    wanted.projection = "latlong";
-  });
-}
-
 void EnvironmentForm::choose(int index) {
   const QVariant path = maps_->itemData(index);
-  if (path.isValid()) return set_environment(path.toString());
+  if (path.isValid()) return set_environment(render_options_, path.toString());
   show_options();
   QTimer::singleShot(0, this, &EnvironmentForm::choose_file);  // once the list is closed
 }
@@ -132,13 +133,13 @@ void EnvironmentForm::choose_file() {
   const QString path =
       QFileDialog::getOpenFileName(this, tr("Choose an environment map"), current,
                                    tr("Images (*.exr *.hdr *.pfm *.raw *.png *.jpg *.tga);;All files (*)"));
-  if (!path.isEmpty()) set_environment(path);
+  if (!path.isEmpty()) set_environment(render_options_, path);
 }
 
 void EnvironmentForm::show_options() {
   const options::RenderOptions& shown = render_options_.valid_options();
   const QString current = QString::fromStdString(shown.environment);
-  QStringList paths = bundled_environments();
+  QStringList paths = bundled_;
   if (!current.isEmpty() && !paths.contains(current)) paths.append(current);
   const QSignalBlocker blocker(maps_);
   maps_->clear();

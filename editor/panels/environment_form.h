@@ -18,6 +18,9 @@ class ScaledSlider;
 /// The environment maps that come with the program, in `share/granada/environments` beside its folder.
 QStringList bundled_environments();
 
+/// Sets the environment map of a scene to an image file, as an undo step; an empty path means none.
+void set_environment(OpDocument& render_options, const QString& path);
+
 /// Edits the environment of a scene in its render options: a map with rotation and brightness, or a constant
 /// background where there is none.
 class EnvironmentForm : public QWidget {
@@ -26,9 +29,6 @@ class EnvironmentForm : public QWidget {
  public:
   /// The options outlive the form.
   explicit EnvironmentForm(OpDocument& render_options, QWidget* parent = nullptr);
-
-  /// Sets the environment map to an image file; an empty path means none.
-  void set_environment(const QString& path);
 
  private:
   using Edit = std::function<void(options::RenderOptions&)>;
@@ -41,6 +41,7 @@ class EnvironmentForm : public QWidget {
   void show_options();
 
   OpDocument& render_options_;
+  const QStringList bundled_ = bundled_environments();
   QComboBox* maps_;
   NumberBox* rotation_ = nullptr;
   ScaledSlider* rotation_slider_ = nullptr;

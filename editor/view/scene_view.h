@@ -99,6 +99,7 @@ class SceneView : public QWidget {
   void set_select_through(bool selects_through) { selects_through_ = selects_through; }
   /// Draws the border and the thirds of an image of this aspect, width over height; none for no aspect.
   void set_framing(std::optional<double> image_aspect) {
+    if (image_aspect == framing_) return;
     framing_ = image_aspect;
     draw();
   }

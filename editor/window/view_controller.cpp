@@ -17,6 +17,7 @@
 #include "editor/document/object_order.h"
 #include "editor/document/scene_places.h"
 #include "editor/panels/brdf_assignment.h"
+#include "editor/panels/environment_form.h"
 #include "editor/panels/texture_row.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/render_controller.h"
@@ -215,10 +216,7 @@ bool ViewController::drop(QDropEvent& event) {
 
 /// Lights the scene by an image.
 void ViewController::set_environment(const QString& image) {
-  options::RenderOptions wanted = document_.options().valid_options();
-  wanted.environment = image.toStdString();
-  wanted.projection = options::RenderOptions().projection;
-  document_.options().set_options(tr("Set environment"), wanted);
+  editor::set_environment(document_.options(), image);
   emit status_message(tr("%1 is the environment now").arg(QFileInfo(image).fileName()));
 }
 
