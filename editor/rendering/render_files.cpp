@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include "grf/relocate.h"
 #include "grf/write.h"
@@ -20,6 +21,14 @@ bool write_snapshot(const grf::Scene& scene, const QString& scene_path, const QS
   grf::Scene snapshot = grf::flatten(scene, from);
   grf::relocate(snapshot, from, path.toStdString());
   return grf::write(snapshot, path.toStdString(), diagnostics);
+}
+
+QString file_of_camera(const QString& file, const std::string& camera) {
+  if (camera.empty()) return file;
+  const QFileInfo info(file);
+  QString name = QString::fromStdString(camera);
+  name.replace(QRegularExpression("[^\\w -]"), "_");
+  return info.dir().filePath(info.completeBaseName() + "_" + name + "." + info.suffix());
 }
 
 }  // namespace editor

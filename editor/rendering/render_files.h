@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
@@ -15,5 +16,9 @@ QString naming_path(const QString& scene_path);
 /// Returns false after an error.
 bool write_snapshot(const grf::Scene& scene, const QString& scene_path, const QString& path,
                     grf::Diagnostics& diagnostics);
+
+/// The image of a camera: `scene_side.exr` for `scene.exr`; the same file for the camera without a name. A
+/// camera may have any name, a file may not: other letters become underscores.
+QString file_of_camera(const QString& file, const std::string& camera);
 
 }  // namespace editor

@@ -26,7 +26,7 @@ class OpDocument;
 class RenderHistory;
 class RenderSettingsRow;
 
-/// What a preview in a 3D view shows, in place of the size and the camera of the options.
+/// A preview in a 3D view replaces the size and the camera of the render options by these.
 struct PreviewView {
   QSize size;  ///< device pixels
   transport::View camera;
@@ -53,7 +53,7 @@ class RenderPanel : public QWidget {
   /// restarts.
   void set_threads(int threads);
   /// Shows the preview in a 3D view: it is started, and follows that view and the edits until it is stopped.
-  /// Nothing ends that, and the preview.
+  /// Without a view the preview is stopped.
   void set_preview_view(const std::optional<PreviewView>& view);
 
   Preview& preview() { return preview_; }

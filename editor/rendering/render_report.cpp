@@ -13,6 +13,10 @@ std::optional<double> number(const QJsonObject& object, const char* name) {
   return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
 }
 
+class ReportText {
+  Q_DECLARE_TR_FUNCTIONS(editor::RenderReport)
+};
+
 }  // namespace
 
 std::optional<RenderReport> render_report_of(const QByteArray& line) {
@@ -41,22 +45,14 @@ std::optional<BakeSummary> bake_summary_of(const QByteArray& line) {
 }
 
 QString duration_text(double seconds) {
-  if (seconds < 10)
-    return QCoreApplication::translate("editor::RenderReport", "%1 s").arg(seconds, 0, 'f', 1);
+  if (seconds < 10) return ReportText::tr("%1 s").arg(seconds, 0, 'f', 1);
   const auto whole = std::lround(seconds);
-  if (whole < 60) return QCoreApplication::translate("editor::RenderReport", "%1 s").arg(whole);
+  if (whole < 60) return ReportText::tr("%1 s").arg(whole);
   const auto two_digits = [](long value) { return QStringLiteral("%1").arg(value, 2, 10, QChar('0')); };
-  if (whole < 3600)
-    return QCoreApplication::translate("editor::RenderReport", "%1 min %2 s")
-        .arg(whole / 60)
-        .arg(two_digits(whole % 60));
-  return QCoreApplication::translate("editor::RenderReport", "%1 h %2 min")
-      .arg(whole / 3600)
-      .arg(two_digits(whole % 3600 / 60));
+  if (whole < 3600) return ReportText::tr("%1 min %2 s").arg(whole / 60).arg(two_digits(whole % 60));
+  return ReportText::tr("%1 h %2 min").arg(whole / 3600).arg(two_digits(whole % 3600 / 60));
 }
 
-QString percent_text(double fraction) {
-  return QCoreApplication::translate("editor::RenderReport", "%1 %").arg(100 * fraction, 0, 'g', 3);
-}
+QString percent_text(double fraction) { return ReportText::tr("%1 %").arg(100 * fraction, 0, 'g', 3); }
 
 }  // namespace editor
