@@ -1,5 +1,5 @@
-// What the editor keeps of a scene besides the scene itself: hidden, locked and named sets of faces, and
-// their file SCENE.grf.editor.json.
+// The editor stores hidden, locked and named sets of faces beside a scene, in the sidecar
+// SCENE.grf.editor.json.
 #pragma once
 
 #include <QString>

@@ -16,7 +16,7 @@ namespace editor {
 
 struct LoadedScene;
 
-/// What an import changes of a model. The options correspond to those of `grfconvert`.
+/// Import options change a model after it was read, as those of `grfconvert` do.
 struct ImportOptions {
   bool is_z_up = false;
   std::string unit = "m";  ///< of the file, one of convert::length_units(); a unit of the scene is a metre

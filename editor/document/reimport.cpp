@@ -63,7 +63,9 @@ void for_each_mesh(grf::BlockList& list, const MeshAction& action) {
   }
 }
 
-QString text(const char* words) { return QCoreApplication::translate("Reimport", words); }
+class ReimportText {
+  Q_DECLARE_TR_FUNCTIONS(editor::ReimportText)
+};
 
 /// The name of an object for people.
 QString name_of(const std::string& object) { return QString::fromStdString(object); }
@@ -111,7 +113,8 @@ Reimported reimported(const grf::Scene& scene, const QString& file, const grf::S
     if (!source || QString::fromStdString(source->file) != file) return;
     const auto object = objects.find(source->object);
     if (object == objects.end()) {
-      result.problems += text("%1 is no longer in the file: it stays as it was").arg(name_of(source->object));
+      result.problems +=
+          ReimportText::tr("%1 is no longer in the file: it stays as it was").arg(name_of(source->object));
       return;
     }
     used.insert(source->object);
@@ -120,12 +123,13 @@ Reimported reimported(const grf::Scene& scene, const QString& file, const grf::S
     const qlonglong more = static_cast<qlonglong>(now.face_count()) - before;
     const QString name = name_of(source->object);
     if (more > 0) {
-      result.problems += more == 1
-                             ? text("%1 has 1 more face, with the surface of the mesh").arg(name)
-                             : text("%1 has %2 more faces, with the surface of the mesh").arg(name).arg(more);
+      result.problems +=
+          more == 1
+              ? ReimportText::tr("%1 has 1 more face, with the surface of the mesh").arg(name)
+              : ReimportText::tr("%1 has %2 more faces, with the surface of the mesh").arg(name).arg(more);
     } else if (more < 0) {
-      result.problems += more == -1 ? text("%1 has 1 face less").arg(name)
-                                    : text("%1 has %2 fewer faces").arg(name).arg(-more);
+      result.problems += more == -1 ? ReimportText::tr("%1 has 1 face less").arg(name)
+                                    : ReimportText::tr("%1 has %2 fewer faces").arg(name).arg(-more);
     }
     if (now.geometry == mesh->geometry) return;
     mesh = with_geometry_of(*mesh, now);
@@ -133,7 +137,8 @@ Reimported reimported(const grf::Scene& scene, const QString& file, const grf::S
   });
   for (const auto& [name, mesh] : objects) {
     if (!used.contains(name))
-      result.problems += text("%1 is new in the file: append the file to get it").arg(name_of(name));
+      result.problems +=
+          ReimportText::tr("%1 is new in the file: append the file to get it").arg(name_of(name));
   }
   return result;
 }

@@ -35,7 +35,7 @@ std::vector<const convert::Format*> export_formats();
 /// Writes the file. Returns the diagnostics, with losses and errors.
 grf::Diagnostics write(const ExportRequest& request);
 
-/// What writing the file would lose or fail at: as `write`, but the file goes to a temporary folder.
+/// Writes the file to a temporary folder. Returns the diagnostics that `write` would return.
 grf::Diagnostics try_to_write(ExportRequest request);
 
 }  // namespace editor

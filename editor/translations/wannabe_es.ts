@@ -4832,6 +4832,33 @@ BPT_Scene  scene.grf</translation>
     </message>
 </context>
 <context>
+    <name>editor::ReimportText</name>
+    <message>
+        <source>%1 is no longer in the file: it stays as it was</source>
+        <translation>%1 ya no está en el archivo: queda como estaba</translation>
+    </message>
+    <message>
+        <source>%1 has 1 more face, with the surface of the mesh</source>
+        <translation>%1 tiene 1 cara más, con la superficie de la malla</translation>
+    </message>
+    <message>
+        <source>%1 has %2 more faces, with the surface of the mesh</source>
+        <translation>%1 tiene %2 caras más, con la superficie de la malla</translation>
+    </message>
+    <message>
+        <source>%1 has 1 face less</source>
+        <translation>%1 tiene 1 cara menos</translation>
+    </message>
+    <message>
+        <source>%1 has %2 fewer faces</source>
+        <translation>%1 tiene %2 caras menos</translation>
+    </message>
+    <message>
+        <source>%1 is new in the file: append the file to get it</source>
+        <translation>%1 es nuevo en el archivo: añada el archivo para obtenerlo</translation>
+    </message>
+</context>
+<context>
     <name>editor::RenderController</name>
     <message>
         <source>Camera &amp;follows the view</source>
@@ -6888,10 +6915,6 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
     <message>
         <source>Move the observer</source>
         <translation>Mover el observador</translation>
-    </message>
-    <message>
-        <source>Set environment</source>
-        <translation>Cambiar el entorno</translation>
     </message>
     <message>
         <source>%1 is the environment now</source>

@@ -269,14 +269,13 @@ void FileActions::read_next() {
   const QPointer<Job> job = reading_;
   import_.files.removeFirst();
   if (!import_.files.isEmpty()) return loader_.start(import_.files.front());
-  if (!import_.loaded.empty()) {
-    if (!import_.reimported.isEmpty()) {
-      take_reimported();
-    } else {
-      import_.merges ? append_loaded() : show_loaded();
-    }
-  }
+  if (!import_.loaded.empty()) use_loaded();
   if (job) job->end();  // a question may have taken so long that the job was cancelled
+}
+
+void FileActions::use_loaded() {
+  if (!import_.reimported.isEmpty()) return take_reimported();
+  import_.merges ? append_loaded() : show_loaded();
 }
 
 void FileActions::append_loaded() {

@@ -111,6 +111,7 @@ class FileActions : public QObject {
   void keep(const std::shared_ptr<const LoadedScene>& loaded);
   void read_next();
   void show_loaded();
+  void use_loaded();
   void append_loaded();
   void take_reimported();
   void fail(const LoadFailure& failure);
