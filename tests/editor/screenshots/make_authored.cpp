@@ -101,6 +101,15 @@ class Author {
     step("the " + dock->windowTitle() + " dock");
   }
 
+  /// Adds a plane of felt, scaled by typed keys.
+  void lay_ground(const QString& scale) {
+    menu("Add a plane");
+    keys(scale);
+    press(Qt::Key_Home, "Home");
+    click({0, 0, 0}, "the plane");
+    paint("felt");
+  }
+
   grf::Box3d bounds() {
     return object_bounds(window_.document().objects(), window_.document().selected_objects().back());
   }
@@ -188,11 +197,7 @@ void make_still_life(const QString& folder) {
 /// A ball and a ring outdoors, by an environment map and a thin lens.
 void make_outdoors(const QString& folder) {
   Author author(folder);
-  author.menu("Add a plane");
-  author.keys("s12");
-  author.press(Qt::Key_Home, "Home");
-  author.click({0, 0, 0}, "the plane");
-  author.paint("felt");
+  author.lay_ground("s12");
   author.menu("Add a sphere");
   author.keys("s.3");
   author.menu("Drop to floor");
@@ -213,11 +218,7 @@ void make_outdoors(const QString& folder) {
 /// A stack of blocks under a warm disc and a cold rectangle.
 void make_blocks(const QString& folder) {
   Author author(folder);
-  author.menu("Add a plane");
-  author.keys("s3");
-  author.press(Qt::Key_Home, "Home");
-  author.click({0, 0, 0}, "the plane");
-  author.paint("felt");
+  author.lay_ground("s3");
   const QString brdfs[] = {"ward", "oren", "ashikhmin"};
   double top = 0;
   for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// What a user does in a window by pointer and keyboard, counted in gestures.
+// A user of a window works by pointer and keyboard; gestures are counted.
 #pragma once
 
 #include <QDropEvent>
@@ -71,7 +71,7 @@ class Gestures {
     timer.start(20);
     drop(user_window_, files, {9, 9}, modifiers);
     QTest::qWait(50);
-    // Without a window manager, the focus may go nowhere a moment after the dialog was closed.
+    // The focus may be lost after the dialog where there is no window manager.
     QTest::qWait(200);
     user_window_.activateWindow();
     const bool is_active = QTest::qWaitForWindowActive(&user_window_);
