@@ -1,5 +1,5 @@
-// Decomposition of GRF's BRDFs for other formats: the only table that says which parameters of which model
-// are the diffuse and glossy reflectance and the lobe width. Both families of materials are made from it.
+// GRF's BRDFs are decomposed into lobes for other formats by one table: it says which parameters of which
+// model are the diffuse and glossy reflectance and the lobe width. Both families of materials use it.
 #pragma once
 
 #include <span>

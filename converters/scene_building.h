@@ -1,4 +1,4 @@
-// Functions by which readers compose scenes and writers decompose them.
+// Readers compose scenes by these functions, and writers decompose them.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// World-space meshes of a scene, for writers of formats without transforms and instances.
+// The meshes of a scene are transformed to world space, for formats without transforms and instances.
 #pragma once
 
 #include <array>

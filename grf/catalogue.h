@@ -1,5 +1,5 @@
-// The catalogue of BRDF models and sampling schemes: descriptor tables that the reflectance library fills,
-// and the validation of a model against them. They drive command lines, documents and the editor's forms too.
+// The catalogue describes BRDF models and sampling schemes in tables that the reflectance library fills, and
+// validates models against them. The tables drive command lines, documents and the editor's forms too.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Validation of a scene that was read: errors, and warnings about likely mistakes of its author.
+// `check` validates a scene that was read: it reports errors, and warns about likely mistakes of its author.
 #pragma once
 
 #include <set>

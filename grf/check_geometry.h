@@ -1,4 +1,4 @@
-// Validation of geometry for `check`: degenerate faces, normals, and lights that illuminate nothing.
+// `check` validates geometry, too: degenerate faces, normals, and lights that illuminate nothing.
 #pragma once
 
 #include <vector>

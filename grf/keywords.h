@@ -1,4 +1,4 @@
-// Spelling rules of GRF words, used by the lexer, the parser, the writer and the catalogue.
+// GRF words follow spelling rules that the lexer, the parser, the writer and the catalogue share.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Vectors, matrices and boxes: Imath, the vector library of the whole project, under short names.
+// Imath is the vector library of the whole project; its vectors, matrices and boxes have short names here.
 #pragma once
 
 #include <ImathBox.h>

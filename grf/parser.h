@@ -1,4 +1,4 @@
-// The recursive-descent parser behind `read.h`, with one function per production. Each returns false, or
+// The recursive-descent parser behind `read.h` has one function per production. Each returns false, or
 // nothing, after an error that leaves the end of the production unclear. After other errors parsing
 // continues, so that one run finds as many as possible.
 #pragma once

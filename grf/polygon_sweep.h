@@ -1,4 +1,4 @@
-// Triangulation of planar polygons by a sweep line.
+// A sweep line triangulates planar polygons.
 #pragma once
 
 #include <array>

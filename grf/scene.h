@@ -1,5 +1,5 @@
-// The scene graph as its author wrote it: a plain value, a tree of blocks. A copy is a snapshot; meshes and
-// included files are copy-on-write.
+// A scene is the scene graph as its author wrote it: a plain value, a tree of blocks. A copy is a snapshot;
+// meshes and included files are copy-on-write.
 //
 // Invariants for a scene that can be written and read back, besides those of each type: numbers are finite; a
 // reference names a definition of its kind that is in scope; names and comments have no line ends and no zero

@@ -1,5 +1,5 @@
-// The topology of a mesh: shared edges, boundaries, non-manifold edges and vertices. Vertices at the same
-// position count as one, so seams of normals or of texture coordinates are no holes.
+// The topology of a mesh tells shared edges, boundaries, non-manifold edges and vertices. Vertices at the
+// same position count as one, so seams of normals or of texture coordinates are no holes.
 #pragma once
 
 #include <cstddef>

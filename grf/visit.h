@@ -1,4 +1,4 @@
-// Traversal of a scene graph in order, with the transform and the definitions in scope at each block.
+// Visitors traverse a scene graph in order, with the transform and the definitions in scope at each block.
 #pragma once
 
 #include <compare>

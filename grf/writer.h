@@ -1,4 +1,4 @@
-// The writer behind `write.h`, with one function per production.
+// The writer behind `write.h` has one function per production.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The import of one file by Assimp, with its log messages.
+// Assimp imports one file, and its log messages become diagnostics.
 #pragma once
 
 #include <cstddef>

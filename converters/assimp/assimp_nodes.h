@@ -1,4 +1,4 @@
-// The node hierarchy of a scene of Assimp: its transforms and instances.
+// The node hierarchy of an Assimp scene becomes transforms and instances.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The conversion of Assimp's scenes to GRF. Only this folder depends on Assimp.
+// Assimp's scenes are converted to GRF. Only this folder depends on Assimp.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// A reader of the objects in a 3DS file's chunks (3D Studio File Toolkit, Release 3: "3DS File Format").
+// The objects of a 3DS file are read from its chunks (3D Studio File Toolkit, Release 3: "3DS File Format").
 // Assimp splits them into triangles without shared vertices and with wrong normals: it smooths faces without
 // a smoothing group with all others, and replaces an index out of range by another one.
 #pragma once

@@ -1,4 +1,4 @@
-// The command line of grfconvert.
+// CLI11 parses the command line of grfconvert.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The checksum by which the reader knows that the scene in the extras of a file still matches the rest of it.
+// A checksum tells the reader that the scene in the extras of a file still matches the rest of it.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-// A glTF file as loaded by tinygltf. Only this header includes tinygltf, for the reader's files in this
-// folder.
+// tinygltf loads glTF files. Only this header includes tinygltf, for the reader's files in this folder.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// The GRF scene that our glTF files carry in their extras, for all that glTF cannot represent. It is GRF
-// text, except for the lists of meshes, which are accessors.
+// Our glTF files carry a GRF scene in their extras, for all that glTF cannot represent. It is GRF text,
+// except for the lists of meshes, which are accessors.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The mesh operations of `grfconvert` between reading and writing.
+// Mesh operations of `grfconvert` change a scene between reading and writing.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Rotation, scale and translation of a whole scene.
+// A whole scene is rotated, scaled and translated.
 #pragma once
 
 #include <optional>

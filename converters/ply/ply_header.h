@@ -1,5 +1,5 @@
-// The header of a PLY file (Greg Turk, "The PLY Polygon File Format", 1994): its elements, and the properties
-// of each.
+// The header of a PLY file lists its elements and their properties (Greg Turk, "The PLY Polygon File Format",
+// 1994).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The interpretation of the properties of vertices and faces.
+// The layout of a PLY file says what the properties of its vertices and faces mean.
 #pragma once
 
 #include <array>

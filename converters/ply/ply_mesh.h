@@ -1,4 +1,4 @@
-// The mesh of a PLY file under construction.
+// PlyMesh collects the mesh of a PLY file while it is read.
 #pragma once
 
 #include <array>

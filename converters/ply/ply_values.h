@@ -1,4 +1,4 @@
-// A reader of the values in the body of a PLY file, in each of the three encodings.
+// PLY values are read from the body of a file in each of the three encodings.
 #pragma once
 
 #include <cstddef>

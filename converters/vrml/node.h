@@ -1,5 +1,5 @@
-// The scene graph of a VRML file: nodes with fields. Values are kept as written; NodeReader validates the
-// names and types of fields.
+// The scene graph of a VRML file consists of nodes with fields. Values are kept as written; NodeReader
+// validates the names and types of fields.
 #pragma once
 
 #include <cstddef>

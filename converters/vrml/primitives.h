@@ -1,6 +1,6 @@
-// Tessellation of the geometric primitives of VRML (ISO/IEC 14772-1, chapter 6; VRML 1.0 has the same). All
-// are centred at the origin, along the y axis, with texture coordinates. The material of a face is the index
-// of its part, in the order in which VRML 1.0 binds materials to parts.
+// VRML's geometric primitives are tessellated as ISO/IEC 14772-1, chapter 6, defines them; VRML 1.0 has the
+// same. All are centred at the origin, along the y axis, with texture coordinates. The material of a face is
+// the index of its part, in the order in which VRML 1.0 binds materials to parts.
 #pragma once
 
 #include "converters/vrml/polygons.h"

@@ -1,4 +1,4 @@
-// The dark and light themes: a palette each, and one accent colour.
+// The dark and the light theme have a palette each, and share one accent colour.
 #pragma once
 
 #include <QColor>

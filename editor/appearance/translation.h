@@ -1,4 +1,4 @@
-// The language of the editor's texts.
+// The editor's texts are translated to the language of the user.
 #pragma once
 
 #include <QString>

@@ -1,4 +1,4 @@
-// Parameter values of a model by its parameter table: the written ones, and the defaults of the others.
+// A parameter table gives the values of a model: those that are written, and defaults for the others.
 #pragma once
 
 #include <QString>

@@ -1,4 +1,4 @@
-// The colour of thermal light.
+// A black body's temperature gives the colour of thermal light.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// MIME types for drag and drop, and copying, of BRDFs.
+// BRDFs are dragged, dropped and copied under MIME types of their own.
 #pragma once
 
 #include <QMimeData>

@@ -1,4 +1,4 @@
-// Loops of quadrilaterals across opposite edges, as in the face mode of modelling programs.
+// Face loops run across opposite edges of quadrilaterals, as in the face mode of modelling programs.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The selection of faces, and operations that extend or reduce it.
+// A face selection is a set of faces per mesh, with operations that extend or reduce it.
 #pragma once
 
 #include <cstddef>

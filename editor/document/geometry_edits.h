@@ -1,5 +1,5 @@
-// Edits of vertices and faces. If only some faces of a mesh are selected, vertices shared with others are
-// split where they come to differ, and the other faces are unchanged.
+// Geometry edits change the vertices and faces of a mesh. If only some faces of a mesh are selected, vertices
+// shared with others are split where they come to differ, and the other faces are unchanged.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Lamps as an author thinks of them: a shape with a centre, a direction, a size and a radiance in world
+// A lamp is what an author thinks of: a shape with a centre, a direction, a size and a radiance in world
 // space.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The MIME type for dragging objects and mesh definitions of a scene.
+// Objects and mesh definitions of a scene are dragged under a MIME type of their own.
 #pragma once
 
 #include <QMimeData>

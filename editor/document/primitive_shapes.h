@@ -1,4 +1,4 @@
-// Primitive shapes as polygon meshes: plane, box, sphere, cylinder, disc and torus.
+// Primitive shapes are polygon meshes: plane, box, sphere, cylinder, disc and torus.
 #pragma once
 
 #include <string_view>

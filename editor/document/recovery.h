@@ -1,4 +1,4 @@
-// Autosave of unsaved work, for recovery after a crash.
+// Autosave keeps unsaved work, so that it can be recovered after a crash.
 #pragma once
 
 #include <QDateTime>

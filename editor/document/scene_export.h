@@ -1,4 +1,4 @@
-// The export of a scene to another format, and what it would lose.
+// A scene is exported to another format, and the losses are known before.
 #pragma once
 
 #include <QString>

@@ -1,4 +1,4 @@
-// A studio for a first picture: a floor, a soft box and a rim light in proportion to a scene.
+// A studio lights a first picture: a floor, a soft box and a rim light in proportion to the scene.
 #pragma once
 
 #include "editor/document/scene_objects.h"

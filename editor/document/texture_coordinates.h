@@ -1,5 +1,5 @@
-// Edits of the texture coordinates (UVs) of selected faces. Vertices are split where coordinates of a face
-// come to differ from its neighbour's; faces that are not selected keep theirs.
+// Texture coordinates (UVs) of selected faces are projected and transformed. Vertices are split where
+// coordinates of a face come to differ from its neighbour's; faces that are not selected keep theirs.
 #pragma once
 
 #include "editor/document/geometry_edits.h"

@@ -1,4 +1,4 @@
-// Image statistics, and difference images.
+// Image statistics and difference images are computed in threads.
 #pragma once
 
 #include <cstddef>

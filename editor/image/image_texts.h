@@ -1,4 +1,4 @@
-// Texts of the image view: statistics and pixel values.
+// The image view describes statistics and pixel values in these texts.
 #pragma once
 
 #include <QPoint>

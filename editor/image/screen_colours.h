@@ -1,4 +1,4 @@
-// Tone mapping of radiance for the screen.
+// Tone mapping converts radiance to colours of the screen.
 #pragma once
 
 #include <QImage>

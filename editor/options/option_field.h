@@ -1,4 +1,4 @@
-// Controls for each kind of option value.
+// Each kind of option value has a control that edits it.
 #pragma once
 
 #include <QStringList>

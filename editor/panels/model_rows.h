@@ -1,4 +1,4 @@
-// The rows of the Surface dock that choose a BRDF or a sampling scheme.
+// These rows of the Surface dock choose a BRDF or a sampling scheme.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// The items of the scene outliner as a tree of plain values.
+// The scene outliner shows a tree of entries, which are plain values.
 #pragma once
 
 #include <QString>

@@ -1,4 +1,4 @@
-// The texture of selected faces, and their outlines on it.
+// The texture of the selected faces is drawn with the outlines of the faces on it.
 #pragma once
 
 #include <QFutureWatcher>

@@ -1,4 +1,4 @@
-// The rows of the Surface dock for colours, emission, irradiance and normals.
+// These rows of the Surface dock edit colours, emission, irradiance and normals.
 #pragma once
 
 #include "editor/panels/surface_row.h"

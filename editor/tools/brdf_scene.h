@@ -1,4 +1,4 @@
-// What the BRDF viewer draws, as values that its thread can use.
+// A BRDF scene holds all that the BRDF viewer draws, as values that its thread can use.
 #pragma once
 
 #include <QColor>

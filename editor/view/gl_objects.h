@@ -1,4 +1,4 @@
-// RAII owners of OpenGL objects. They are created, used and destroyed while their context is current.
+// RAII classes own OpenGL objects. They are created, used and destroyed while their context is current.
 #pragma once
 
 #include <QOpenGLShaderProgram>

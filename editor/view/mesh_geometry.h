@@ -1,4 +1,4 @@
-// The geometry of a mesh for drawing and picking: triangulated polygons, with the face of each triangle.
+// Mesh geometry for drawing and picking consists of triangulated polygons, with the face of each triangle.
 #pragma once
 
 #include <array>

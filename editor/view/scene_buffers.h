@@ -1,4 +1,4 @@
-// The GPU buffers of a scene.
+// The GPU holds a scene in buffers.
 #pragma once
 
 #include <QImage>

@@ -1,4 +1,4 @@
-// Draggable handles of lights, observers and the render camera.
+// Lights, observers and the render camera have handles that are dragged.
 #pragma once
 
 #include <optional>

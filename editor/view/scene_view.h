@@ -1,4 +1,4 @@
-// The 3D view of a scene.
+// SceneView is the 3D view of a scene.
 #pragma once
 
 #include <QPainterPath>

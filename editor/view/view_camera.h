@@ -1,4 +1,4 @@
-// The camera of the 3D view.
+// ViewCamera is the camera of the 3D view.
 #pragma once
 
 #include <limits>

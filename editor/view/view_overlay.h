@@ -1,4 +1,4 @@
-// The overlay of the view: background, grid, axes and handles.
+// The overlay of the view has the background, the grid, axes and handles.
 #pragma once
 
 #include <QPalette>

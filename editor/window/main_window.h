@@ -1,4 +1,4 @@
-// The main window of the editor.
+// MainWindow is the main window of the editor.
 #pragma once
 
 #include <QMainWindow>

@@ -1,4 +1,4 @@
-// The shortcuts of menu entries, which users can change.
+// Users can change the shortcuts of menu entries.
 #pragma once
 
 #include <QKeySequence>

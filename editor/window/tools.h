@@ -1,4 +1,4 @@
-// Windows of single tools: `wannabe --tool NAME`.
+// `wannabe --tool NAME` opens the window of a single tool.
 #pragma once
 
 #include <QString>

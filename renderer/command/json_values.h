@@ -1,4 +1,4 @@
-// JSON values that several commands print.
+// Several commands print these JSON values.
 #pragma once
 
 #include <cmath>

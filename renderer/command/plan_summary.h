@@ -1,4 +1,4 @@
-// Summaries of a render plan, as text and as JSON.
+// A render plan is summarised as text and as JSON.
 #pragma once
 
 #include <string>

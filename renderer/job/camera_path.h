@@ -1,4 +1,4 @@
-// The cameras of render options: one of several, and those of the frames of an animation.
+// Render options name several cameras, and those of the frames of an animation.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// A denoiser for previews. Final images are never denoised: it is biased.
+// A denoiser smooths previews. Final images are never denoised: it is biased.
 #pragma once
 
 #include <functional>

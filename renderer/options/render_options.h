@@ -1,5 +1,5 @@
-// Render options. One table has their keys, values, defaults and meanings; OP files, the command line, the
-// editor's dialog and documents follow from it.
+// Render options are described by one table of their keys, values, defaults and meanings; OP files, the
+// command line, the editor's dialog and documents follow from it.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
-// The renderer's multi-threaded loops, on oneTBB. They tell ThreadSanitizer the happens-before relations that
-// it cannot see in TBB: work before a loop happens before the loop's bodies, and these before what follows.
+// oneTBB runs the renderer's multi-threaded loops. The loops tell ThreadSanitizer the happens-before
+// relations that it cannot see in TBB: work before a loop happens before the loop's bodies, and these before
+// what follows.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// ThreadSanitizer annotations for TBB, which Debian builds without the sanitizer: they state that what one
-// task did happens before the tasks that TBB starts, or waits for, afterwards. No-ops in other builds.
+// ThreadSanitizer annotations describe TBB, which Debian builds without the sanitizer: they state that what
+// one task did happens before the tasks that TBB starts, or waits for, afterwards. No-ops in other builds.
 #pragma once
 
 #ifdef GRANADA_THREAD_SANITIZER

@@ -1,5 +1,6 @@
-// Charts of BRDFs. `bpt` draws them as SVG without a GUI library, and the editor draws the same charts with
-// QCustomPlot, where they can be zoomed. The values, labels and axis ranges are computed here for both.
+// BRDF charts show lobes, albedo and samples of a BRDF. `bpt` draws them as SVG without a GUI library, and
+// the editor draws the same charts with QCustomPlot, where they can be zoomed. The values, labels and axis
+// ranges are computed here for both.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Line charts for documents.
+// A chart draws lines for documents.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Colour maps.
+// A colour scale maps numbers to colours.
 #pragma once
 
 #include "grf/math.h"

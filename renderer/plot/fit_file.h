@@ -1,4 +1,4 @@
-// FIT files: point clouds of directions over a BRDF, for one view (the thesis' section 6.2.4).
+// A FIT file is a point cloud of directions over a BRDF, for one view (the thesis' section 6.2.4).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Vector graphics for documents: SVG as text, and its conversion to PNG and PDF.
+// Documents get vector graphics: SVG as text, which is also converted to PNG and PDF.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-// Importance sampling of Beckmann's microfacet distribution (Gaussian slopes), shared by the models that use
-// it.
+// Beckmann's microfacet distribution (Gaussian slopes) is importance sampled here for the models that use it.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The lobe (v . r_u)^n about the mirror direction, on the whole sphere, shared by `phong` and `lewis`.
+// The models `phong` and `lewis` share the lobe (v . r_u)^n about the mirror direction, on the whole sphere.
 #pragma once
 
 #include <cmath>

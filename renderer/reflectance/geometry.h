@@ -1,4 +1,4 @@
-// Directions in the local frame (z along the normal), and functions that sample them.
+// Directions are given in the local frame (z along the normal), and these functions sample them.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-// GLSL compatibility for C++: the functions and types of GLSL 3.30 that formulas may use, under GLSL's names,
-// in float and in double. glsl_functions.glsl is the other half. A formula is a struct of this namespace
-// whose template parameter is called `real`, with `vec3` and `PI` beside it, that includes common.glsl and
-// the model's text as its member functions.
+// C++ gets the functions and types of GLSL 3.30 that formulas may use, under GLSL's names, in float and in
+// double. glsl_functions.glsl is the other half. A formula is a struct of this namespace whose template
+// parameter is called `real`, with `vec3` and `PI` beside it, that includes common.glsl and the model's text
+// as its member functions.
 #pragma once
 
 #include <bit>

@@ -1,4 +1,4 @@
-// The .glsl files of this folder, embedded when the library was built.
+// The .glsl files of this folder are embedded when the library is built.
 #pragma once
 
 #include <string_view>

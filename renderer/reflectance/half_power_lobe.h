@@ -1,4 +1,5 @@
-// The half-vector lobe (n . h)^n, shared by `blinn` and the samplers that draw half vectors with a power.
+// The model `blinn` and the samplers that draw half vectors with a power share the lobe (n . h)^n of the half
+// vector.
 #pragma once
 
 #include "renderer/reflectance/cosine_lobe.h"

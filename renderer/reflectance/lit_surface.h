@@ -1,5 +1,4 @@
-// Light that a point of a surface reflects, from one text for GLSL and C++: lit_surface.glsl. World frame: y
-// is up.
+// A lit surface reflects light by one text for GLSL and C++: lit_surface.glsl. World frame: y is up.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// BRDF presets from the thesis' tables.
+// BRDF presets come from the thesis' tables.
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
-// Resampled importance sampling (Talbot, Cline and Egbert 2005, "Importance resampling for global
-// illumination"; thesis section 5.5, algorithm 7). From M candidates that follow the BRDF it chooses N that
-// follow the product with the incoming light, so that costly factors such as visibility are evaluated for
-// only N directions.
+// Resampled importance sampling chooses directions of the product of BRDF and incident light (Talbot, Cline
+// and Egbert 2005, "Importance resampling for global illumination"; thesis section 5.5, algorithm 7). From M
+// candidates that follow the BRDF it chooses N that follow the product with the incoming light, so that
+// costly factors such as visibility are evaluated for only N directions.
 //
 // The thesis resamples by L. For candidates in proportion to f cos that equals f L cos / p, which is right
 // for candidates of any scheme and is used here.

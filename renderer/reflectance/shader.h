@@ -1,4 +1,4 @@
-// BRDFs as GLSL, for shaders on a GPU. The formulas are the same text that C++ runs.
+// BRDFs are written as GLSL, for shaders on a GPU. The formulas are the same text that C++ runs.
 #pragma once
 
 #include <cstddef>

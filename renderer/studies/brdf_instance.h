@@ -1,4 +1,4 @@
-// BRDFs and sampling schemes, from the text of an instance to what can be evaluated and sampled.
+// The text of an instance becomes a BRDF or a sampling scheme that can be evaluated and sampled.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Studies of BRDFs and sampling: what the study tools of the editor show, and `bpt` writes.
+// Studies of BRDFs and sampling are what the study tools of the editor show, and `bpt` writes.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Checkpoints from which an interrupted bake resumes.
+// An interrupted bake resumes from its checkpoint.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Checkpoints from which an interrupted render resumes.
+// An interrupted render resumes from its checkpoint.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// The file format that all checkpoints share: a fingerprint of what the file belongs to, and a check sum of
-// its contents.
+// All checkpoints share a file format: a fingerprint of what the file belongs to, and a check sum of its
+// contents.
 #pragma once
 
 #include <array>

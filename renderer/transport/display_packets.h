@@ -1,6 +1,6 @@
-// Packets of the network protocol of the image viewer tev (https://github.com/Tom94/tev), which other viewers
-// speak too. A packet holds its total length (uint32), its type (a byte) and its fields, all little-endian;
-// strings are zero-terminated.
+// Renderers send images to the viewer tev (https://github.com/Tom94/tev) in packets, which other viewers
+// understand too. A packet holds its total length (uint32), its type (a byte) and its fields, all
+// little-endian; strings are zero-terminated.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The viewer's side of `display_packets.h`: decodes packets of tev's network protocol.
+// The viewer's side of `display_packets.h` decodes packets of tev's network protocol.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Owen-scrambled Sobol' sequences for the dimensions of paths.
+// Owen-scrambled Sobol' sequences give the dimensions of paths.
 #pragma once
 
 #include <array>

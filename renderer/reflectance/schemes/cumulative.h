@@ -1,4 +1,4 @@
-// Piecewise-linear cdfs over a row of cells, and their inversion.
+// Piecewise-linear cdfs are built over a row of cells, and inverted.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Grids of cells over spherical coordinates, with half vectors and the tabulated values, shared by the
-// schemes with tables.
+// Schemes with tables share grids of cells over spherical coordinates, with half vectors and the tabulated
+// values.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The unit disc of projected directions (x, y), whose area is projected solid angle.
+// Projected directions (x, y) fill the unit disc, whose area is projected solid angle.
 #pragma once
 
 #include <algorithm>

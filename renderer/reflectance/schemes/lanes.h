@@ -1,5 +1,5 @@
-// Branch-free selection by SIMD intrinsics. Branches on random numbers are unpredictable, and compilers turn
-// conditions into branches; hence intrinsics, of the baseline instruction set (cmake/options.cmake).
+// SIMD intrinsics select values without branches. Branches on random numbers are unpredictable, and compilers
+// turn conditions into branches; hence intrinsics, of the baseline instruction set (cmake/options.cmake).
 #pragma once
 
 #include <immintrin.h>

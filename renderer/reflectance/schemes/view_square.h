@@ -1,6 +1,6 @@
-// The square over which directions are tabulated for a view. Lambert's azimuthal equal-area projection maps
-// the hemisphere to a disc, and Shirley and Chiu's map (1997) the disc to a square. Directions are relative
-// to the view's azimuth, and the square is cut into columns at the mirror direction, the normal and the view
+// Directions are tabulated for a view over a square. Lambert's azimuthal equal-area projection maps the
+// hemisphere to a disc, and Shirley and Chiu's map (1997) the disc to a square. Directions are relative to
+// the view's azimuth, and the square is cut into columns at the mirror direction, the normal and the view
 // itself, so that all three stay in place for every view, and a table can be blended with the next view's
 // without doubling a lobe.
 #pragma once

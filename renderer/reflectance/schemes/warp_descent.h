@@ -1,5 +1,5 @@
-// The descent of a sample through the quadtrees of WarpTrees. It takes most of a sample's time: each level is
-// a chain of dependent operations, whose length counts. All four children are handled at once.
+// A sample descends through the quadtrees of WarpTrees. It takes most of a sample's time: each level is a
+// chain of dependent operations, whose length counts. All four children are handled at once.
 #pragma once
 
 #include <algorithm>

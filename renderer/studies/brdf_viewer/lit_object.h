@@ -1,4 +1,4 @@
-// An object with a BRDF under lights and an environment: what the BRDF viewer shows, evaluated on the CPU.
+// The BRDF viewer shows an object with a BRDF under lights and an environment; the CPU evaluates it here.
 #pragma once
 
 #include <functional>

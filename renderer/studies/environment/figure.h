@@ -1,4 +1,4 @@
-// The figure of the tool `emviewer`, and what it shows.
+// The tool `emviewer` shows this figure.
 #pragma once
 
 #include "renderer/studies/environment/sampling.h"

@@ -1,5 +1,5 @@
-// Environment maps for studies: read from files, or a built-in sky, with a copy of fixed size for display and
-// quadrature.
+// Environment maps for studies are read from files, or are a built-in sky, with a copy of fixed size for
+// display and quadrature.
 #pragma once
 
 #include <memory>

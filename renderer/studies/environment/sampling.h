@@ -1,4 +1,4 @@
-// Sampling the product of a BRDF, the cosine and an environment map, at one point of a surface.
+// The product of a BRDF, the cosine and an environment map is sampled at one point of a surface.
 #pragma once
 
 #include <functional>

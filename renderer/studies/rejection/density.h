@@ -1,4 +1,4 @@
-// Statistical distributions by Boost.Math, as densities to sample by rejection.
+// Boost.Math gives the densities of statistical distributions that are sampled by rejection.
 #pragma once
 
 #include <functional>

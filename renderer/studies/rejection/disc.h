@@ -1,5 +1,5 @@
-// Rejection sampling of f cos: of f over the unit disc of projected directions, where area is projected solid
-// angle.
+// f cos is sampled by rejection as f over the unit disc of projected directions, where area is projected
+// solid angle.
 #pragma once
 
 #include <cstdint>

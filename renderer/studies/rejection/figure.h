@@ -1,4 +1,4 @@
-// What the figures of all distributions share: the header, the numbers, and the histogram.
+// The figures of all distributions share the header, the numbers, and the histogram.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Rejection sampling of a density on an interval, under one bound and under the bounds of a subdivision.
+// A density on an interval is sampled by rejection, under one bound and under the bounds of a subdivision.
 #pragma once
 
 #include <cstdint>

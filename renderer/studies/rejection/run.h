@@ -1,4 +1,4 @@
-// Rejection sampling, with a record of its tries.
+// A run of rejection sampling records its tries.
 #pragma once
 
 #include <chrono>

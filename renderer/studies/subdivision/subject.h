@@ -1,4 +1,4 @@
-// What the tool `subdivision` shows: a BRDF with its tree, and samples in the tree's cells.
+// The tool `subdivision` shows a BRDF with its tree, and samples in the tree's cells.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Decoders that `read_image` uses. All of them throw std::runtime_error for malformed input.
+// `read_image` uses these decoders. All of them throw std::runtime_error for malformed input.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Encoders that `write_image` uses. All of them throw std::runtime_error if a library fails.
+// `write_image` uses these encoders. All of them throw std::runtime_error if a library fails.
 #pragma once
 
 #include <string>

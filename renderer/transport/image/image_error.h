@@ -1,4 +1,4 @@
-// Image error metrics relative to a reference image.
+// Image error metrics compare an image with a reference image.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Image files: an image with layers and metadata, and the formats that it can be written in.
+// An image file has an image, layers and metadata, in one of several formats.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Feature layers (AOVs) for viewers, denoisers and compositing: albedo, normal and depth.
+// Feature layers (AOVs) give albedo, normal and depth to viewers, denoisers and compositing.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// A coarse scene for planning a render: its surfaces, and roughly where they are.
+// A coarse scene is what the plan of a render works on: surfaces, and roughly where they are.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The effects that a render may consist of, and their names. Header only, because options use them too.
+// A render consists of effects, which have names. This is a header only, because options use the names too.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Planning: which effects, tables and textures a scene, its view and its render options need, and why.
+// A plan says which effects, tables and textures a scene, its view and its render options need, and why.
 #pragma once
 
 #include <memory>

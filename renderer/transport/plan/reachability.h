@@ -1,4 +1,4 @@
-// Reachability: which surfaces of a scene paths can hit.
+// Reachability analysis finds the surfaces of a scene that paths can hit.
 #pragma once
 
 #include <optional>

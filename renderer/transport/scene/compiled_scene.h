@@ -1,4 +1,4 @@
-// The compiled scene: immutable triangles and tables for ray tracing, made in one explicit step from the
+// A compiled scene has immutable triangles and tables for ray tracing, made in one explicit step from the
 // scene that people edit. No step renumbers faces.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The arrays of a compiled scene: triangle meshes, and their instances.
+// A compiled scene has arrays of triangle meshes, and of their instances.
 #pragma once
 
 #include <array>

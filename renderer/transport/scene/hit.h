@@ -1,4 +1,4 @@
-// Geometry and attributes of a triangle at a ray's hit point.
+// A hit has the geometry and attributes of a triangle where a ray meets it.
 #pragma once
 
 #include "renderer/transport/scene/geometry.h"
