@@ -4,29 +4,49 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QStringList>
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/tab_order.h"
 
 namespace editor {
+namespace {
 
-NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), text_(new QLabel), choices_(new QHBoxLayout) {
+/// Converts a message to HTML, with source lines and the carets under them in a fixed-width font.
+QString html_of(const QString& text) {
+  const QStringList lines = text.split('\n');
+  QString html;
+  for (qsizetype i = 0; i < lines.size(); ++i) {
+    if (i + 1 < lines.size() && lines[i + 1].trimmed() == "^") {
+      html += "<pre>" + lines[i].toHtmlEscaped() + "\n" + lines[i + 1] + "</pre>";
+      ++i;
+    } else {
+      html += "<div>" + lines[i].toHtmlEscaped() + "</div>";
+    }
+  }
+  return html;
+}
+
+}  // namespace
+
+NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), label_(new QLabel), choices_(new QHBoxLayout) {
   setAccessibleName(tr("Notice"));
   setAutoFillBackground(true);
-  text_->setWordWrap(true);
-  text_->setTextFormat(Qt::PlainText);
-  text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  label_->setWordWrap(true);
+  label_->setTextFormat(Qt::RichText);
+  label_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(2 * Grid, Grid, Grid, Grid);
   row->setSpacing(Grid);
-  row->addWidget(text_, 1);
+  row->addWidget(label_, 1);
   row->addLayout(choices_);
   hide();
 }
 
 void NoticeBar::show_notice(Kind kind, const QString& text, const std::vector<Choice>& choices) {
   kind_ = kind;
-  text_->setText(text);
+  text_ = text;
+  label_->setText(html_of(text));
   while (QLayoutItem* item = choices_->takeAt(0)) {
     item->widget()->deleteLater();
     delete item;
@@ -47,8 +67,6 @@ void NoticeBar::show_notice(Kind kind, const QString& text, const std::vector<Ch
   update();
   show();
 }
-
-QString NoticeBar::text() const { return text_->text(); }
 
 // Paints a stripe in the notice's colour on the left, so that the text keeps its contrast.
 void NoticeBar::paintEvent(QPaintEvent* event) {

@@ -26,14 +26,15 @@ class NoticeBar : public QFrame {
   };
   /// Replaces the shown notice. The last choice always closes the bar.
   void show_notice(Kind kind, const QString& text, const std::vector<Choice>& choices = {});
-  QString text() const;
+  const QString& text() const { return text_; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
   Kind kind_ = Kind::Information;
-  QLabel* text_;
+  QString text_;
+  QLabel* label_;
   QHBoxLayout* choices_;
 };
 

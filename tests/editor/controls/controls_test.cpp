@@ -1,10 +1,14 @@
 #include <QAction>
 #include <QApplication>
 #include <QColorDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextLayout>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +16,7 @@
 
 #include "editor/controls/colour_button.h"
 #include "editor/controls/counted.h"
+#include "editor/controls/notice_bar.h"
 #include "editor/controls/number_box.h"
 #include "editor/controls/scaled_slider.h"
 #include "editor/controls/search_terms.h"
@@ -340,6 +345,29 @@ TEST(ColourButton, ChoosesColoursBrighterThanScreensShow) {
   chooser->setCurrentColor(shown_colour({0, 1, 0}));
   ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() > 0; }));
   EXPECT_TRUE(button.colour()->equalWithAbsError({0, 10, 0}, 1e-3F));
+}
+
+/// Returns the x coordinate of a character of a document, in pixels.
+double place_of(const QTextDocument& document, qsizetype character) {
+  const QTextBlock block = document.findBlock(static_cast<int>(character));
+  const int in_block = static_cast<int>(character) - block.position();
+  const QTextLine line = block.layout()->lineForTextPosition(in_block);
+  return line.cursorToX(in_block);
+}
+
+TEST(NoticeBar, HasTheCaretUnderItsCharacterAndEscapesTheText) {
+  NoticeBar notice;
+  const QString text =
+      "a.grf:3:9: error: <b> is no name\n  iiiiii <b> wide WWW\n         ^\nthe next message";
+  notice.show_notice(NoticeBar::Kind::Error, text);
+  EXPECT_EQ(notice.text(), text);
+  QTextDocument shown;
+  shown.setHtml(notice.findChild<QLabel*>()->text());
+  shown.setTextWidth(1000);
+  ASSERT_GT(shown.size().height(), 0);  // lays it out
+  const QString plain = shown.toPlainText();
+  EXPECT_EQ(plain, text);
+  EXPECT_NEAR(place_of(shown, plain.indexOf('^')), place_of(shown, plain.lastIndexOf("<b>")), 0.5);
 }
 
 }  // namespace
