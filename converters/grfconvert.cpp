@@ -23,7 +23,8 @@ ExitCode run(const CLI::App& app, const Arguments& arguments) {
     return ExitCode::Done;
   }
   if (app.got_subcommand("check")) {
-    return convert::check_files(arguments.inputs, arguments.json, arguments.quiet, arguments.limits);
+    const convert::CheckOptions options = {arguments.deep, arguments.json, arguments.quiet};
+    return convert::check_files(arguments.inputs, options, arguments.limits);
   }
   if (app.got_subcommand("tidy")) return convert::tidy_files(arguments.inputs, arguments.quiet);
   if (!app.got_subcommand("info")) {

@@ -36,6 +36,7 @@ struct Arguments {
   bool triangulate = false;
   bool flat = false;
   bool grf2008 = false;
+  bool deep = false;
   bool dry_run = false;
   bool progress = false;
   bool quiet = false;

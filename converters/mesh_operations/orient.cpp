@@ -16,8 +16,9 @@ using grf::Vec3d;
 /// Orients the faces of a geometry part by part.
 class Orientation {
  public:
-  explicit Orientation(const grf::SharedGeometry& geometry)
+  explicit Orientation(const grf::SharedGeometry& geometry, OpenParts open_parts)
       : geometry_(*geometry),
+        open_parts_(open_parts),
         places_(grf::first_at_position(geometry_)),
         edges_(geometry.edges()),
         is_seen_(geometry_.face_count()),
@@ -39,6 +40,7 @@ class Orientation {
   void orient_part(std::uint32_t first) {
     std::vector<std::uint32_t> part = {first};
     is_seen_[first] = true;
+    is_closed_ = true;
     for (std::size_t i = 0; i < part.size(); ++i) visit_neighbours(part[i], part);
     if (!points_outward(part)) {
       for (const std::uint32_t face : part) is_reversed_[face] = !is_reversed_[face];
@@ -51,7 +53,10 @@ class Orientation {
       const std::uint32_t edge = edges_.at_corner(corner);
       if (edge == grf::SharedEdges::InvalidIndex) continue;
       const auto faces = edges_.faces_at(edge);
-      if (faces.size() != 2 || faces[0].face == faces[1].face) continue;
+      if (faces.size() != 2 || faces[0].face == faces[1].face) {
+        is_closed_ = false;
+        continue;
+      }
       const std::uint32_t other = faces[0].face == face ? faces[1].face : faces[0].face;
       if (is_seen_[other]) continue;
       is_seen_[other] = true;
@@ -81,11 +86,14 @@ class Orientation {
       volume += normal.dot(point - bounds.center());
     }
     constexpr double Flat = 1e-6;
-    if (std::abs(volume) > Flat * area * bounds.size().length()) return volume > 0;
+    const bool has_volume = is_closed_ || open_parts_ == OpenParts::ByVolume;
+    if (has_volume && std::abs(volume) > Flat * area * bounds.size().length()) return volume > 0;
     return 2 * kept >= area;
   }
 
   const Geometry& geometry_;
+  const OpenParts open_parts_;
+  bool is_closed_ = true;  ///< the current part
   std::vector<std::uint32_t> places_;
   const grf::SharedEdges& edges_;
   std::vector<bool> is_seen_;
@@ -108,7 +116,9 @@ void turn_normals(Geometry& geometry) {
 
 }  // namespace
 
-std::vector<bool> inward_faces(const grf::SharedGeometry& geometry) { return Orientation(geometry).find(); }
+std::vector<bool> inward_faces(const grf::SharedGeometry& geometry, OpenParts open_parts) {
+  return Orientation(geometry, open_parts).find();
+}
 
 grf::Mesh oriented_outward(const grf::Mesh& mesh) {
   const std::vector<bool> reversed = inward_faces(mesh.geometry);

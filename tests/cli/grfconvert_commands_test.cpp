@@ -112,6 +112,41 @@ TEST(GrfconvertCheck, GoesOnAfterABadFile) {
   EXPECT_EQ(grfconvert({"check", sound}).exit_code, 0);
 }
 
+TEST(GrfconvertCheck, RanksRisksOnRequest) {
+  const TemporaryFolder folder;
+  // A lamp inside a tetrahedron with outward fronts, in which a face is written twice.
+  const std::string path = folder.add("s.grf", R"(light begin
+  (0.2, 0.2, 0.2) (0.05, 0, 0) (0, 0.05, 0)
+end
+begin mesh "solid"
+  brdf diffuse kd=0.5
+  begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) (0, 0, 1) end vertexs
+  begin faces (0, 2, 1) (0, 1, 3) (0, 3, 2) (1, 2, 3) end faces
+end mesh
+begin mesh "needle"
+  brdf diffuse kd=0.5
+  begin vertexs (5, 0, 0) (6, 0, 0) (7, 0, 0) (5, 1, 0) end vertexs
+  begin faces (0, 2, 1) (0, 1, 3) end faces
+end mesh
+)");
+  const test::Outcome text = grfconvert({"check", "--deep", path});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_EQ(text.out, path +
+                          ": valid, with warnings, 2 risks\n"
+                          "  1. a lamp is inside the mesh 'solid': it illuminates nothing outside (line 1)\n"
+                          "     Move the lamp out, or open the solid.\n"
+                          "  2. 1 face of the mesh 'needle' has no area (line 9); the first is face 0\n"
+                          "     Delete the faces.\n");
+  const test::Outcome listed = grfconvert({"check", "--deep", "--json", path});
+  const auto risks = nlohmann::json::parse(listed.out)["files"][0]["risks"];
+  ASSERT_EQ(risks.size(), 2U);
+  EXPECT_EQ(risks[0]["kind"], "lamp_in_solid");
+  EXPECT_EQ(risks[0]["line"], 1);
+  EXPECT_EQ(risks[1]["faces"], nlohmann::json({0}));
+  EXPECT_EQ(risks[1]["share"], 0.5);
+  EXPECT_EQ(nlohmann::json::parse(grfconvert({"check", "--json", path}).out)["files"][0].count("risks"), 0U);
+}
+
 TEST(GrfconvertCheck, CountsForScripts) {
   const TemporaryFolder folder;
   const std::string sound = folder.add("t.obj", Triangle);

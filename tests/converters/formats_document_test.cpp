@@ -9,6 +9,7 @@
 
 #include "converters/brdf_lobes.h"
 #include "converters/format.h"
+#include "converters/risks/risk.h"
 #include "tests/support/generated_document.h"
 
 namespace convert {
@@ -49,6 +50,14 @@ TEST(FormatsDocument, SaysWhatBecomesOfMaterials) {
   expect_table("VRML to GRF", material_table("VRML", "GRF", find_format("vrml")->read_materials));
   expect_table("Assimp to GRF",
                material_table("Assimp's material", "GRF", find_format("other")->read_materials));
+}
+
+TEST(FormatsDocument, ListsTheRisks) {
+  std::string table = "| risk | in JSON | is found where | what to do |\n|---|---|---|---|\n";
+  for (const RiskInfo& info : risk_infos()) {
+    table += fmt::format("| {} | `{}` | {} | {} |\n", info.title, info.name, info.test, info.advice);
+  }
+  expect_table("risks", table);
 }
 
 TEST(FormatsDocument, SaysWhatThePartsOfBrdfsAre) {

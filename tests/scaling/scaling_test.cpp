@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "converters/format.h"
+#include "converters/risks/risk.h"
 #include "grf/check.h"
 #include "grf/read.h"
 #include "grf/triangulation.h"
@@ -48,6 +49,10 @@ std::vector<Station> all_stations() {
        [](const convert::Format&, const std::string&, const grf::Scene& scene) {
          grf::Diagnostics diagnostics;
          grf::check(scene, reflectance::catalogue(), diagnostics);
+       }},
+      {"find risks", true,
+       [](const convert::Format&, const std::string&, const grf::Scene& scene) {
+         convert::risks_of(scene, reflectance::catalogue());
        }},
       {"write", true,
        [](const convert::Format& format, const std::string& path, const grf::Scene& scene) {
