@@ -1,5 +1,6 @@
 #include "converters/risks/lamp_solids.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <optional>
@@ -71,6 +72,12 @@ void Lamps::add_faces(const grf::Mesh& mesh, std::vector<std::uint32_t> faces,
   }
   lamp.faces = std::move(faces);
   lamps_.push_back(std::move(lamp));
+}
+
+std::vector<Vec3d> Lamps::points() const {
+  std::vector<Vec3d> points;
+  for (const Lamp& lamp : lamps_) points.push_back(lamp.points.front());
+  return points;
 }
 
 std::vector<const Lamp*> Lamps::largest() const {

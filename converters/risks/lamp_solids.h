@@ -1,9 +1,7 @@
 // Lamps are looked for inside of solids, where their light goes nowhere.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "grf/scene.h"
@@ -34,10 +32,8 @@ class Lamps {
 
   /// Returns the `MostLamps` lamps of the largest area.
   std::vector<const Lamp*> largest() const;
-  bool any_at(const std::function<bool(const grf::Vec3d&)>& is_there) const {
-    return std::any_of(lamps_.begin(), lamps_.end(),
-                       [&](const Lamp& lamp) { return is_there(lamp.points.front()); });
-  }
+  /// Returns a point of each lamp, in world space.
+  std::vector<grf::Vec3d> points() const;
 
  private:
   void add_faces(const grf::Mesh& mesh, std::vector<std::uint32_t> faces, const grf::Placement& placement,

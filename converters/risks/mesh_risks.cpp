@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <functional>
 #include <numbers>
-#include <set>
 #include <span>
+#include <utility>
+
+#include <boost/container_hash/hash.hpp>
 
 #include "grf/topology.h"
 
@@ -74,10 +76,23 @@ std::vector<std::uint32_t> faces_without_area(const Mesh& mesh) {
 
 std::vector<std::uint32_t> duplicate_faces(const Mesh& mesh) {
   const std::vector<std::uint32_t> places = grf::first_at_position(*mesh.geometry);
-  std::set<std::vector<std::uint32_t>> known;
-  return faces_where(mesh, [&](std::uint32_t face) {
-    return has_area(mesh, face) && !known.insert(rotated_places(mesh, face, places)).second;
-  });
+  // Sorted by a hash, faces with the same corners are neighbours.
+  std::vector<std::pair<std::size_t, std::uint32_t>> faces;
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    if (!has_area(mesh, face)) continue;
+    const std::vector<std::uint32_t> corners = rotated_places(mesh, face, places);
+    faces.emplace_back(boost::hash_range(corners.begin(), corners.end()), face);
+  }
+  std::sort(faces.begin(), faces.end());
+  std::vector<std::uint32_t> duplicates;
+  for (std::size_t i = 0, first = 0; i < faces.size(); ++i) {
+    if (faces[i].first != faces[first].first) first = i;
+    const bool is_duplicate = i > first && rotated_places(mesh, faces[i].second, places) ==
+                                               rotated_places(mesh, faces[first].second, places);
+    if (is_duplicate) duplicates.push_back(faces[i].second);
+  }
+  std::sort(duplicates.begin(), duplicates.end());
+  return duplicates;
 }
 
 std::vector<std::uint32_t> faces_against_normals(const Mesh& mesh) {

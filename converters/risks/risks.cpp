@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include "converters/risks/lamp_solids.h"
 #include "converters/risks/mesh_risks.h"
 #include "converters/risks/risk.h"
+#include "grf/bvh.h"
 #include "grf/topology.h"
 #include "grf/vertex_tree.h"
 #include "grf/visit.h"
@@ -110,11 +112,17 @@ class RiskSearch {
       add_faces(mesh, {kind, std::move(faces), defect}, placement, location);
     };
     found(RiskKind::FacesWithoutArea, faces_without_area(mesh), "no area");
-    found(RiskKind::DuplicateFaces, duplicate_faces(mesh), "the corners of another face");
+    std::vector<std::uint32_t> duplicates = duplicate_faces(mesh);
+    // Duplicates share all edges in the same direction, as faces of opposite orientation would.
+    if (duplicates.empty()) find_inward_faces(mesh, placement, location);
+    found(RiskKind::DuplicateFaces, std::move(duplicates), "the corners of another face");
     found(RiskKind::NormalsAgainstFaces, faces_against_normals(mesh), "normals that point to the back");
     found(RiskKind::UvWithoutArea, faces_without_uv_area(mesh),
           "a texture, and texture coordinates without area");
     add_energy_gain(mesh, placement, location);
+  }
+
+  void find_inward_faces(const Mesh& mesh, const Placement& placement, const grf::SourceLocation& location) {
     const std::vector<bool> inward = inward_faces(mesh.geometry, OpenParts::ByMajority);
     std::vector<std::uint32_t> faces;
     for (std::uint32_t face = 0; face < inward.size(); ++face) {
@@ -127,6 +135,7 @@ class RiskSearch {
 
   void add_instance(const Mesh& mesh, const Placement& placement, const grf::Block& block) {
     if (mesh.face_count() == 0) return;
+    first_instance_.try_emplace(&mesh, instances_.size());
     instances_.push_back({&mesh,
                           placement.to_world,
                           {placement.path.begin(), placement.path.end()},
@@ -171,26 +180,26 @@ class RiskSearch {
     add(RiskKind::EnergyGain, 1 - 1.0 / largest, placement.path, location, message, std::move(faces));
   }
 
-  /// Whether a mesh is the room of others: an instance's bounds contain another mesh or a lamp.
-  bool is_room(const Mesh& mesh) const {
-    for (const Instance& room : instances_) {
-      if (room.mesh->geometry.shares(mesh.geometry) && contains_others(room)) return true;
-    }
-    return false;
-  }
-
-  bool contains_others(const Instance& room) const {
-    const auto is_inside = [&](const Vec3d& point) { return room.bounds.intersects(point); };
-    return lamps_.any_at(is_inside) ||
-           std::any_of(instances_.begin(), instances_.end(), [&](const Instance& other) {
-             return &other != &room && is_inside(other.bounds.center());
-           });
+  /// Whether a mesh is the room of others: the bounds of its first instance contain the centre of another
+  /// instance or a point of a lamp. `points` are the boxes of `centres`, of the instances first.
+  bool is_room(const Mesh& mesh, const std::vector<Box3d>& points, const grf::Bvh& centres) const {
+    const auto room = first_instance_.find(&mesh);
+    if (room == first_instance_.end()) return false;
+    const Box3d& bounds = instances_[room->second].bounds;
+    const double found = centres.highest(
+        [&](const Box3d& box) { return box.intersects(bounds) ? 1 : 0; },
+        [&](std::size_t i) { return i != room->second && bounds.intersects(points[i].min) ? 1 : 0; }, 0, 0);
+    return found > 0;
   }
 
   void add_inward_faces() {
+    std::vector<Box3d> points;
+    for (const Instance& instance : instances_) points.emplace_back(instance.bounds.center());
+    for (const Vec3d& point : lamps_.points()) points.emplace_back(point);
+    const grf::Bvh centres(points);
     for (Inward& inward : inward_) {
       const bool is_whole = inward.faces.size() == inward.mesh->face_count();
-      if (is_whole && is_room(*inward.mesh)) continue;
+      if (is_whole && is_room(*inward.mesh, points, centres)) continue;
       const double share =
           static_cast<double>(inward.faces.size()) / static_cast<double>(inward.mesh->face_count());
       const std::string message =
@@ -203,8 +212,8 @@ class RiskSearch {
     }
   }
 
-  /// Finds meshes with equal geometry at the same place. Bounds are compared first, since geometries are
-  /// rarely at exactly the same place.
+  /// Finds meshes with equal geometry at the same place. Only meshes with the same bounds are compared, each
+  /// with at most 16 others.
   void add_duplicate_meshes() {
     std::map<std::array<double, 6>, std::vector<const Instance*>> at_place;
     for (const Instance& instance : instances_) {
@@ -215,7 +224,7 @@ class RiskSearch {
         return other->to_world == instance.to_world && other->mesh->geometry == instance.mesh->geometry;
       });
       if (same == there.end()) {
-        there.push_back(&instance);
+        if (there.size() < 16) there.push_back(&instance);
       } else {
         add(RiskKind::DuplicateMesh, 1, instance.path, instance.location,
             fmt::format("{} lies exactly on {}", named("mesh", instance.mesh->name),
@@ -266,6 +275,7 @@ class RiskSearch {
   const grf::Catalogue& catalogue_;
   std::map<std::string, float> albedos_;  ///< by the text of the BRDF
   std::vector<Instance> instances_;
+  std::unordered_map<const Mesh*, std::size_t> first_instance_;  ///< index in instances_
   std::vector<Inward> inward_;
   Lamps lamps_;
   std::vector<Risk> risks_;
@@ -293,9 +303,9 @@ const std::vector<RiskInfo>& risk_infos() {
        "all vertex normals of a face are over 90 degrees from the face's own",
        "Recompute the normals of the faces."},
       {InwardFaces, "inward_faces", "Fronts point inward",
-       "fronts disagree across a shared edge, or those of a closed part point inward; a mesh around a lamp "
-       "or "
-       "another mesh is a room, whose fronts may point inward",
+       "fronts disagree across a shared edge, in a mesh without duplicate faces, or those of a closed part "
+       "point "
+       "inward; a mesh around a lamp or another mesh is a room, whose fronts may point inward",
        "Flip the faces."},
       {FarFromOrigin, "far_from_origin", "A mesh is far from the origin",
        "its extent is under 10,000 steps of single precision at its largest coordinate",

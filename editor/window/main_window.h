@@ -35,6 +35,7 @@ class RecoveryController;
 class RenderController;
 class RenderPanel;
 class RenderedMode;
+class RiskDialog;
 class SceneTree;
 class SceneView;
 class SelectionActions;
@@ -114,6 +115,7 @@ class MainWindow : public QMainWindow {
   void make_window_menu();
   void make_help_menu();
   void show_preferences();
+  void show_risks();
   void apply_preferences(const Preferences& preferences);
   /// Opens a tool with the BRDF of the selected faces, which can be applied to them again.
   void open_tool(const Tool& tool);

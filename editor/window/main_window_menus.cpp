@@ -28,6 +28,7 @@
 #include "editor/window/recovery_controller.h"
 #include "editor/window/render_controller.h"
 #include "editor/window/rendered_mode.h"
+#include "editor/window/risk_dialog.h"
 #include "editor/window/selection_actions.h"
 #include "editor/window/shortcut_list.h"
 #include "editor/window/tools.h"
@@ -157,10 +158,28 @@ void MainWindow::make_scene_menu() {
   coordinates->addActions(mesh_actions_->of_texture_coordinates());
   uv_->set_menu(coordinates);
   menu->addSeparator();
+  menu->addAction(
+      new_action(*this,
+                 {tr("Chec&k..."),
+                  {},
+                  QKeySequence("Ctrl+Alt+C"),
+                  tr("List what can make the image wrong or noisy, and repair it: lamps in solids, "
+                     "flipped normals, duplicates, values that are not finite")},
+                 [this] { show_risks(); }));
   menu->addAction(new_action(*this,
                              {tr("&Bake irradiance"), "bake", QKeySequence("Ctrl+Alt+B"),
                               tr("Bake the irradiance at all vertices and store it in the scene")},
                              [this] { bake_->bake(); }));
+}
+
+void MainWindow::show_risks() {
+  auto* dialog = findChild<RiskDialog*>();
+  if (dialog == nullptr) {
+    dialog = new RiskDialog(document_, *mesh_actions_, catalogue_, this);
+    connect(dialog, &RiskDialog::chosen, tree_, [this](const grf::ScenePath& path) { tree_->choose(path); });
+  }
+  dialog->show();
+  dialog->activateWindow();
 }
 
 void MainWindow::make_window_menu() {

@@ -20,6 +20,7 @@
 #include "renderer/command/render_reports.h"
 #include "renderer/command/render_run.h"
 #include "renderer/job/camera_path.h"
+#include "renderer/job/non_finite.h"
 #include "renderer/job/render_job.h"
 #include "renderer/transport/render.h"
 
@@ -98,17 +99,6 @@ void print(const nlohmann::json& summary, const RenderArguments& arguments) {
 
 void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
 
-/// Describes which term was not finite, on which BRDF and where in the world.
-std::string cause_text(const transport::NotFinite& cause, const CompiledScene& scene) {
-  if (cause.term.empty()) return "a product of finite terms is too large for a float";
-  std::string text = fmt::format("the {} is not finite", cause.term);
-  if (!cause.where) return text;
-  const std::uint32_t reflector = cause.where->surface->reflector;
-  if (reflector != transport::InvalidIndex) text += fmt::format(", on `{}`", scene.tables()[reflector].brdf);
-  const grf::Vec3d place = grf::Vec3d(cause.where->position) + scene.origin();
-  return text + fmt::format(" at ({:.6g}, {:.6g}, {:.6g})", place.x, place.y, place.z);
-}
-
 /// Writes the image and the reports, and prints errors.
 bool keep(const transport::Render& render, const std::optional<transport::ErrorEstimate>& estimate,
           const CompiledScene& scene, const transport::View& view, const RenderOptions& render_options,
@@ -118,9 +108,10 @@ bool keep(const transport::Render& render, const std::optional<transport::ErrorE
   if (totals.rejected > 0) {
     const auto width = static_cast<std::uint64_t>(render_options.size.width);
     diagnostics.warning(
-        {}, fmt::format("{} in pixel ({}, {}): {}", rejected_samples_text(totals.rejected),
-                        totals.first_rejected % width, totals.first_rejected / width,
-                        cause_text(render.cause_of_rejection().value_or(transport::NotFinite()), scene)));
+        {},
+        fmt::format("{} in pixel ({}, {}): {}", rejected_samples_text(totals.rejected),
+                    totals.first_rejected % width, totals.first_rejected / width,
+                    job::cause_text(render.cause_of_rejection().value_or(transport::NotFinite()), scene)));
   }
   const transport::ImageFile file = image_file_of(render, estimate, scene, view, render_options);
   const std::vector<std::string> fallbacks = transport::fallback_folders();

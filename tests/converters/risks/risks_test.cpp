@@ -47,8 +47,8 @@ const std::string InwardFaces =
 
 std::string mesh(const std::string& name, const std::string& vertices, const std::string& faces,
                  const std::string& brdf = "brdf diffuse kd=0.5") {
-  return "begin mesh \"" + name + "\" " + brdf + " " + vertices + "begin faces " + faces +
-         "end faces end mesh ";
+  return "begin mesh " + (name.empty() ? "" : "\"" + name + "\" ") + brdf + " " + vertices + "begin faces " +
+         faces + "end faces end mesh ";
 }
 
 std::string cube(const std::string& name = "cube", double low = -1, double high = 1,
@@ -83,6 +83,9 @@ TEST(Risks, FindLampsInSolids) {
 TEST(Risks, LeaveRoomsWithLampsAlone) {
   EXPECT_THAT(kinds_in(scene(Lamp + cube("room", -1, 1, InwardFaces))), IsEmpty());
   EXPECT_THAT(kinds_in(scene(cube() + cube("room", -9, 9, InwardFaces))), IsEmpty());
+  const std::string defined = "def room = " + cube("", -9, 9, InwardFaces);
+  EXPECT_THAT(kinds_in(scene(Lamp + "use room ", defined)), IsEmpty());
+  EXPECT_THAT(kinds_in(scene("use room ", defined)), ElementsAre(RiskKind::InwardFaces));
 }
 
 TEST(Risks, FindEmittingFacesInSolids) {
@@ -99,6 +102,8 @@ TEST(Risks, FindInwardFronts) {
   ASSERT_EQ(whole.size(), 1U);
   EXPECT_EQ(whole[0].message, "the fronts of the mesh 'cube' point inward");
   EXPECT_EQ(whole[0].share, 1);
+  const std::string open_box = "(2, 6, 4, 0) (5, 7, 3, 1) (4, 5, 1, 0) (3, 7, 6, 2) (1, 3, 2, 0) ";
+  EXPECT_THAT(kinds_in(scene(cube("box", -1, 1, open_box))), IsEmpty()) << "it may show its inside";
   const std::string one_turned =
       "(0, 4, 6, 2) (1, 3, 7, 5) (0, 1, 5, 4) (2, 6, 7, 3) (0, 2, 3, 1) (6, 7, 5, 4) ";
   const auto one = risks_in(scene(cube("cube", -1, 1, one_turned)));

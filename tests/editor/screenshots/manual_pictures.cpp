@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeView>
+#include <QTreeWidget>
 #include <utility>
 
 #include "editor/appearance/theme.h"
@@ -23,6 +24,7 @@
 #include "editor/panels/uv_view.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_windows.h"
+#include "editor/window/risk_dialog.h"
 #include "editor/window/viewer_window.h"
 #include "grf/text_file.h"
 #include "tests/editor/screenshots/pictures.h"
@@ -108,6 +110,42 @@ QPixmap cameras() {
   stage.act("Framing guides");
   stage.settle();
   return stage.picture();
+}
+
+/// A lantern with mistakes that models from elsewhere have.
+const char* const Lantern = R"(light begin rgb (5, 5, 5) (-0.1, 0, -0.1) (0, 0, 0.2) (0.2, 0, 0) end
+begin mesh "shade"
+  brdf diffuse kd=0.5
+  begin vertexs
+    (-1, -1, -1) (1, -1, -1) (-1, 1, -1) (1, 1, -1) (-1, -1, 1) (1, -1, 1) (-1, 1, 1) (1, 1, 1)
+  end vertexs
+  begin faces
+    (0, 4, 6, 2) (1, 3, 7, 5) (0, 1, 5, 4) (2, 6, 7, 3) (0, 2, 3, 1) (4, 5, 7, 6)
+  end faces
+end mesh
+begin mesh "foot"
+  brdf phong n=10 ks=0.6 kd=0.9
+  begin vertexs
+    (-1, -2, -1) (1, -2, -1) (-1, -1, -1) (1, -1, -1) (-1, -2, 1) (1, -2, 1) (-1, -1, 1) (1, -1, 1) (3, -2, 1)
+  end vertexs
+  begin faces
+    (0, 4, 6, 2) (1, 3, 7, 5) (0, 1, 5, 4) (2, 6, 7, 3) (0, 2, 3, 1) (6, 7, 5, 4) (4, 5, 8)
+  end faces
+end mesh
+)";
+
+/// The dialog of Scene > Check, with one risk selected.
+QPixmap checking() {
+  Stage stage({1280, 800});
+  stage.open(stage.add("lantern.grf", Lantern));
+  stage.act("Check...");
+  auto* dialog = stage.window().findChild<editor::RiskDialog*>();
+  expect(QTest::qWaitFor([dialog] { return dialog->is_up_to_date(); }, Minute), "the scene was not checked");
+  dialog->resize(90 * editor::Grid, 36 * editor::Grid);
+  auto* list = dialog->findChild<QTreeWidget*>();
+  list->setCurrentItem(list->topLevelItem(2));
+  stage.settle();
+  return dialog->grab();
 }
 
 /// The preview in the view, denoised, with a gizmo and selected faces over it.
@@ -302,6 +340,7 @@ std::vector<Picture> manual_pictures() {
       {"shortcuts", shortcut_list},
       {"modes", display_modes},
       {"messages", messages},
+      {"checking", checking},
       {"scene", [] { return dock_with_models("scene"); }},
       {"lights", lights_dock},
       {"choosing", choosing_faces},
