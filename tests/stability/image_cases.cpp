@@ -5,6 +5,7 @@
 
 #include "renderer/transport/film.h"
 #include "renderer/transport/image/image_file.h"
+#include "renderer/transport/scene/texture.h"
 #include "tests/stability/hard_case.h"
 #include "tests/support/temporary_folder.h"
 
@@ -114,6 +115,45 @@ Errors range_of_a_file() {
   return errors;
 }
 
+/// Tests a texture of 15000 texels, black and white in turn, repeated 64 times: the value is the distance
+/// from the last black texel. Naive code multiplies by the width before it wraps.
+Errors wide_texture() {
+  constexpr int Width = 15'000;  // no power of two, whose products are exact
+  Image image{Width, 1, std::vector<Rgb>(Width)};
+  for (int i = 0; i < Width; ++i) image.pixels[static_cast<std::size_t>(i)] = Rgb(static_cast<float>(i % 2));
+  const transport::Texture texture(image);
+  const auto wave = [](double x) {
+    const double place = x - 2 * std::floor(x / 2);
+    return place < 1 ? place : 2 - place;
+  };
+  Random random;
+  Errors errors;
+  for (int i = 0; i < 10'000; ++i) {
+    const float u = random.uniform(0, 64);
+    const double exact = wave((double(u) - std::floor(double(u))) * Width - 0.5);
+    const float naive = u * float(Width) - 0.5F;
+    errors.include(
+        {std::abs(double(texture.lookup({u, 0.5F}, 0).x) - exact), std::abs(wave(double(naive)) - exact)});
+  }
+  return errors;
+}
+
+/// Tests a texture of one texel. Naive code stretches it between texels 0 and width - 1, which are 0 apart.
+Errors single_texel() {
+  const transport::Texture texture(Image{1, 1, {Rgb(0.5F)}});
+  Random random;
+  Errors errors;
+  for (int i = 0; i < 1000; ++i) {
+    const grf::Vec2f uv(random.uniform(-9, 9), random.uniform(-9, 9));
+    const float footprint = random.log_uniform(1e-9F, 1e9F);
+    const float apart = 1.0F / static_cast<float>(texture.width() - 1);
+    const float naive = 0.5F * (uv.x * apart) / (uv.x * apart);
+    errors.include(
+        {relative_error(double(texture.lookup(uv, footprint).x), 0.5), relative_error(double(naive), 0.5)});
+  }
+  return errors;
+}
+
 }  // namespace
 
 std::vector<HardCase> image_cases() {
@@ -126,6 +166,10 @@ std::vector<HardCase> image_cases() {
        INFINITY, 2e-3, 1e-3, samples_that_are_no_numbers},
       {"Radiance from 1e-9 to 1e6 in an EXR file", "half floats, of 16 bits", "floats, of 32", INFINITY, 0, 0,
        range_of_a_file},
+      {"Texture 15000 texels wide, repeated 64 times", "u times the width, then wrapped",
+       "wrapped, then times the width", 0.06, 2e-3, 5e-4, wide_texture, "distance in texels"},
+      {"Texture of one texel, footprints from 1e-9 to 1e9", "texels 1/(width - 1) apart",
+       "texels 1/width apart, which wrap", INFINITY, 0, 0, single_texel},
   };
 }
 

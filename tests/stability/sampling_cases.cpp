@@ -84,6 +84,33 @@ Errors lamp_in_a_mirror() {
   return {worst_of_seeds(scene, setup, diffuse + mirror), relative_error(naive, diffuse + mirror)};
 }
 
+/// Tests a floor under a lamp of radiance 1e-10, beside one of 1e10 in a closed box. Naive code samples
+/// lights in proportion to their power, and directions by nothing else: it never sees the dim lamp.
+Errors dim_lamp_beside_a_bright_one() {
+  const auto lamp = [](const char* radiance, float x) {
+    return fmt::format("light begin rgb ({0},{0},{0}) ({1},-0.5,1) (0,1,0) (1,0,0) end ", radiance, x - 0.5F);
+  };
+  const auto scene = scene_of(lamp("1e-10", 0) + lamp("1e10", 5) +
+                              placed(box("brdf diffuse kd=0.5"), Vec3f(0.8F), Vec3f(0), Vec3f(5, 0, 1)) +
+                              quad("brdf diffuse kd=0.5", "(-1,-1,0) (1,-1,0) (1,1,0) (-1,1,0)"));
+  RenderSetup setup;
+  setup.eye = Vec3f(0, -2, 1);
+  setup.field_of_view = 0.001F;
+  setup.width = setup.height = 4;
+  setup.samples = 1024;
+  setup.depth = 1;
+  const double received =
+      lambert_irradiance({{-0.5L, -0.5L, 1}, {-0.5L, 0.5L, 1}, {0.5L, 0.5L, 1}, {0.5L, -0.5L, 1}}, {0, 0, 1});
+  const double exact = 1e-10 * received * 0.5 / std::numbers::pi;
+  Random random;
+  double naive = 0;
+  for (int i = 0; i < setup.samples; ++i) {
+    const float dim = 1e-10F / (1e-10F + 1e10F);  // of the whole power: both have the same area
+    if (random.uniform(0, 1) < dim) naive += exact / double(dim) / setup.samples;
+  }
+  return {worst_of_seeds(scene, setup, exact), relative_error(naive, exact)};
+}
+
 /// Tests a closed white box that emits: each vertex of a path of depth 1000 adds 1.
 Errors depth_of_thousand() {
   constexpr int Depth = 1000;
@@ -183,6 +210,9 @@ std::vector<HardCase> sampling_cases() {
        1e-5, 2e-7, weights_of_large_pdfs},
       {"Light of 6e-4 sr reflected in a coated diffuse floor", "specular directions have pdf 1",
        "specular directions have MIS weight 1", 1, 0.02, 2e-3, lamp_in_a_mirror, Radiance, Kind::Noisy},
+      {"A lamp of 1e-10 beside one of 1e10 in a closed box", "lights in proportion to their power",
+       "multiple importance sampling with the BRDF", 1, 0.02, 1e-3, dim_lamp_beside_a_bright_one, Radiance,
+       Kind::Noisy},
       {"Closed white box that emits, depth 1000", "Russian roulette of 1/2 from the fourth bounce on",
        "roulette only below a throughput of 1/3", 1, 0.02, 8e-4, depth_of_thousand, Radiance, Kind::Noisy},
       {"Camera 1e6 from the origin", "eye and target in float", "in double, relative to the scene's centre",

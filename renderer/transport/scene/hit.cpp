@@ -8,6 +8,8 @@ namespace {
 
 float largest_component(const Vec3f& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+float sum_of_components(const Vec3f& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
 /// (b - a) x (c - a). In float, rounding can turn the normal of a sliver anywhere, so slivers use double, in
 /// which differences are accurate enough.
 Vec3f doubled_area_normal(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
@@ -45,21 +47,45 @@ HitTriangle::HitTriangle(const Geometry& geometry, const TriangleHit& hit, const
 // A point that rounding moves over the edge of its triangle would be outside a closed room. So it keeps some
 // error bounds away from the edges, as far as the triangle is large enough.
 void HitTriangle::keep_off_edges() {
-  // Its own error counts along all axes, as does that of the test against the triangle across the edge.
-  const float margin = 6 * largest_component(error_);
-  const float longest_edge = largest_component(b_ - a_) + largest_component(c_ - a_);
-  const float area = largest_component(doubled_area_);
+  // In the scene's coordinates, since an instance's transform rounds, too. The point's own error counts along
+  // all axes, as does that of the test against the triangle across the edge.
+  const Vec3f ab = vector_in_scene(b_ - a_);
+  const Vec3f ac = vector_in_scene(c_ - a_);
+  const float area = largest_component(is_placed_by_map() ? ab.cross(ac) : doubled_area_);
+  const float margin = 6 * largest_component(error_in_scene(position()));
   // As a barycentric weight: the distance to an edge over the triangle's height on it, which is the doubled
   // area over the edge.
-  const float least = area > 0 ? std::min(margin * longest_edge / area, 0.125F) : 0.125F;
+  const auto least = [&](const Vec3f& edge) {
+    return area > 0 ? std::min(margin * sum_of_components(edge) / area, 0.125F) : 0.125F;
+  };
+  const float least_u = least(ac);
+  const float least_v = least(ab);
+  const float least_w = least(ac - ab);
   float w = 1 - u_ - v_;
-  if (u_ >= least && v_ >= least && w >= least) return;
-  u_ = std::max(u_, least);
-  v_ = std::max(v_, least);
-  w = std::max(w, least);
+  if (u_ >= least_u && v_ >= least_v && w >= least_w) return;
+  u_ = std::max(u_, least_u);
+  v_ = std::max(v_, least_v);
+  w = std::max(w, least_w);
   const float sum = u_ + v_ + w;
   u_ /= sum;
   v_ /= sum;
+}
+
+Vec3f HitTriangle::position() const {
+  const Vec3f position = interpolate(a_, b_, c_);
+  return is_placed_by_map() ? instance_.to_scene.point(position) : position;
+}
+
+Vec3f HitTriangle::error_in_scene(const Vec3f& position) const {
+  if (!is_placed_by_map()) return error_;
+  const auto& m = instance_.to_scene.linear;
+  const float rounding = instance_.error_factor * (largest_component(position) + instance_.error_extent);
+  Vec3f error;
+  for (int i = 0; i < 3; ++i) {
+    error[i] =
+        std::abs(m[0][i]) * error_.x + std::abs(m[1][i]) * error_.y + std::abs(m[2][i]) * error_.z + rounding;
+  }
+  return error;
 }
 
 Vec3f HitTriangle::geometric_normal() const {
@@ -76,19 +102,8 @@ Vec3f HitTriangle::shading_normal(const Vec3f& geometric_normal) const {
 // The position is interpolated, not computed along the ray, where the error grows with the distance.
 SurfacePoint HitTriangle::point() const {
   SurfacePoint point;
-  point.position = interpolate(a_, b_, c_);
-  point.error = error_;
-  if (is_placed_by_map()) {
-    const Instance& instance = instance_;
-    point.position = instance.to_scene.point(point.position);
-    const auto& m = instance.to_scene.linear;
-    const float rounding =
-        instance.error_factor * (largest_component(point.position) + instance.error_extent);
-    for (int i = 0; i < 3; ++i) {
-      point.error[i] = std::abs(m[0][i]) * error_.x + std::abs(m[1][i]) * error_.y +
-                       std::abs(m[2][i]) * error_.z + rounding;
-    }
-  }
+  point.position = position();
+  point.error = error_in_scene(point.position);
   point.geometric_normal = geometric_normal();
   point.shading_normal = shading_normal(point.geometric_normal);
   point.id = id_;

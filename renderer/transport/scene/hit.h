@@ -29,6 +29,9 @@ class HitTriangle {
 
  private:
   void keep_off_edges();
+  Vec3f position() const;
+  /// The bound of a position's error, per axis.
+  Vec3f error_in_scene(const Vec3f& position) const;
   Vec3f geometric_normal() const;
   Vec3f shading_normal(const Vec3f& geometric_normal) const;
   template <class Value>
