@@ -129,9 +129,10 @@ void define_info(CLI::App& app, Arguments& arguments) {
 void define_check(CLI::App& app, Arguments& arguments) {
   CLI::App* check = app.add_subcommand("check", "Validate files");
   check->add_option("FILE", arguments.inputs, "Files to read")->required();
-  check->add_flag("--deep", arguments.deep,
-                  "Also rank what can make the image of a valid scene wrong or noisy: lamps in solids, inward "
-                  "fronts, energy gain, duplicates, meshes far from the origin");
+  check->add_flag(
+      "--deep", arguments.deep,
+      "Also rank what can make the image of a valid scene wrong or noisy: lamps in solids, inward "
+      "fronts, energy gain, duplicates, meshes far from the middle of the scene");
   add_json_option(*check, arguments);
   add_limit_options(*check, arguments);
   add_quiet_option(*check, arguments);

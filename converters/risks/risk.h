@@ -21,7 +21,7 @@ enum class RiskKind {
   DuplicateFaces,       ///< faces of one mesh with the same corners: rays hit either of them
   NormalsAgainstFaces,  ///< vertex normals point to the back of their face
   InwardFaces,          ///< fronts point to the inside, or disagree: emission and exports have the wrong side
-  FarFromOrigin,        ///< coordinates in single precision resolve the mesh coarsely
+  FarFromMiddle,        ///< coordinates in single precision resolve the mesh coarsely
   UvWithoutArea,        ///< a textured face shows a single line or point of its image
   FacesWithoutArea,     ///< faces that no ray hits
 };

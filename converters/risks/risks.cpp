@@ -40,6 +40,8 @@ std::string named(std::string_view kind, const std::string& name) {
   return name.empty() ? fmt::format("the {}", kind) : fmt::format("the {} '{}'", kind, name);
 }
 
+double largest_component(const Vec3d& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
 /// A place where a mesh is drawn.
 struct Instance {
   const Mesh* mesh = nullptr;
@@ -235,19 +237,24 @@ class RiskSearch {
     }
   }
 
+  // A scene that is far away as a whole is moved to the origin for rendering.
   void add_far_meshes() {
+    Box3d scene;
+    for (const Instance& instance : instances_) scene.extendBy(instance.bounds);
+    const Vec3d middle = scene.isEmpty() ? Vec3d(0) : scene.center();
     for (const Instance& instance : instances_) {
-      double farthest = 0;
-      for (int axis = 0; axis < 3; ++axis) {
-        farthest =
-            std::max({farthest, std::abs(instance.bounds.min[axis]), std::abs(instance.bounds.max[axis])});
-      }
-      const double extent = instance.bounds.size().length();
+      const Box3d& bounds = instance.bounds;
+      const double from_origin = std::max(largest_component(bounds.min), largest_component(bounds.max));
+      const double from_middle =
+          std::max(largest_component(bounds.min - middle), largest_component(bounds.max - middle));
+      const double farthest = std::min(from_origin, from_middle);
+      const double extent = bounds.size().length();
       const double steps = extent / (farthest * std::numeric_limits<float>::epsilon());
       if (extent <= 0 || steps >= FewSteps) continue;
-      add(RiskKind::FarFromOrigin, 1 - steps / FewSteps, instance.path, instance.location,
+      add(RiskKind::FarFromMiddle, 1 - steps / FewSteps, instance.path, instance.location,
           fmt::format(
-              "{} is {:.3g} in size at coordinates up to {:.3g}: single precision resolves it to 1/{:.0f}",
+              "{} is {:.3g} in size, {:.3g} from the middle of the scene: single precision resolves it "
+              "to 1/{:.0f}",
               named("mesh", instance.mesh->name), extent, farthest, steps));
     }
   }
@@ -307,9 +314,10 @@ const std::vector<RiskInfo>& risk_infos() {
        "point "
        "inward; a mesh around a lamp or another mesh is a room, whose fronts may point inward",
        "Flip the faces."},
-      {FarFromOrigin, "far_from_origin", "A mesh is far from the origin",
-       "its extent is under 10,000 steps of single precision at its largest coordinate",
-       "Move the scene and its cameras to the origin."},
+      {FarFromMiddle, "far_from_middle", "A mesh is far from the middle of the scene",
+       "its extent is under 10,000 steps of single precision at its largest distance, per axis, from the "
+       "origin or the middle of the scene, whichever is nearer",
+       "Render it in a scene of its own, or move it nearer."},
       {UvWithoutArea, "uv_without_area", "Texture coordinates have no area",
        "a textured face covers under 1e-10 of its image", "Project texture coordinates."},
       {FacesWithoutArea, "faces_without_area", "Faces have no area",

@@ -23,7 +23,7 @@ FaceSelection faces_of(const convert::Risk& risk, const SceneObjects& objects) {
 }
 
 bool has_repair(RiskKind kind) {
-  return kind != RiskKind::LampInSolid && kind != RiskKind::EnergyGain && kind != RiskKind::FarFromOrigin;
+  return kind != RiskKind::LampInSolid && kind != RiskKind::EnergyGain && kind != RiskKind::FarFromMiddle;
 }
 
 std::optional<grf::Scene> repaired(const grf::Scene& scene, const SceneObjects& objects,
@@ -47,7 +47,7 @@ std::optional<grf::Scene> repaired(const grf::Scene& scene, const SceneObjects& 
     }
     case RiskKind::LampInSolid:
     case RiskKind::EnergyGain:
-    case RiskKind::FarFromOrigin:
+    case RiskKind::FarFromMiddle:
       return std::nullopt;
   }
   return std::nullopt;

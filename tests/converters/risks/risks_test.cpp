@@ -150,16 +150,23 @@ TEST(Risks, FindNormalsAgainstFaces) {
   EXPECT_THAT(kinds_in(scene(turned)), ElementsAre(RiskKind::NormalsAgainstFaces));
 }
 
-TEST(Risks, FindMeshesFarFromTheOrigin) {
-  // A cube of 1 at 10,000: the steps of float are 2^-10 there, so its diagonal has sqrt(3) * 1,024 of them,
-  // and by epsilon, which is 2^-23, sqrt(3) / (10,001 * 2^-23) = 1,452.8.
-  const auto risks =
-      risks_in(scene("transform translation (10000, 0, 0) begin " + cube("far", 0, 1) + "end "));
+TEST(Risks, FindMeshesFarFromTheMiddle) {
+  // A cube of 1 at 10,000 from the middle of a scene of 20,000: by the machine epsilon, 2^-23, its diagonal
+  // has sqrt(3) / (10,000 * 2^-23) = 1,453 steps.
+  const std::string ground = mesh("ground",
+                                  "begin vertexs (-10000, -2, -9) (10000, -2, -9) (10000, -2, 9) "
+                                  "(-10000, -2, 9) end vertexs ",
+                                  "(0, 3, 2, 1) ");
+  const auto at = [](const std::string& x) {
+    return "transform translation (" + x + ", 0, 0) begin " + cube("small", 0, 1) + "end ";
+  };
+  const auto risks = risks_in(scene(ground + at("9999")));
   ASSERT_EQ(risks.size(), 1U);
-  EXPECT_EQ(risks[0].kind, RiskKind::FarFromOrigin);
+  EXPECT_EQ(risks[0].kind, RiskKind::FarFromMiddle);
   EXPECT_THAT(risks[0].message, HasSubstr("resolves it to 1/1453"));
-  EXPECT_THAT(kinds_in(scene("transform translation (1000, 0, 0) begin " + cube("near", 0, 1) + "end ")),
-              IsEmpty());
+  EXPECT_THAT(risks[0].path, ElementsAre(1, 0));
+  EXPECT_THAT(kinds_in(scene(ground + at("999"))), IsEmpty());
+  EXPECT_THAT(kinds_in(scene(at("10000"))), IsEmpty()) << "the whole scene is moved to the origin";
 }
 
 TEST(Risks, FindTextureCoordinatesAndFacesWithoutArea) {
