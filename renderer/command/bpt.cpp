@@ -13,6 +13,7 @@
 #include "renderer/command/brdf_command.h"
 #include "renderer/command/compare_command.h"
 #include "renderer/command/cost_command.h"
+#include "renderer/command/noise_command.h"
 #include "renderer/command/plan_command.h"
 #include "renderer/command/render_command.h"
 #include "renderer/options/render_options.h"
@@ -67,6 +68,15 @@ void add_scene_options(CLI::App& command, std::string& scene, command::OptionFla
     }
     add_option(command, option, flags);
   }
+}
+
+void add_noise(CLI::App& app, command::NoiseArguments& arguments) {
+  CLI::App* noise =
+      app.add_subcommand("noise", "Show which lamps, bounces and BRDFs the noise of an image comes from");
+  add_scene_options(*noise, arguments.scene, arguments.flags);
+  noise->add_flag("--try", arguments.tries,
+                  "also measure what other sampling schemes and split counts would do to variance and time");
+  noise->add_flag("--json", arguments.json, "print one JSON object");
 }
 
 void add_plan(CLI::App& app, command::PlanArguments& arguments) {
@@ -270,6 +280,8 @@ ExitCode run(int argc, char** argv) {
   add_bake(app, bake_arguments);
   command::PlanArguments plan_arguments;
   add_plan(app, plan_arguments);
+  command::NoiseArguments noise_arguments;
+  add_noise(app, noise_arguments);
   command::BrdfArguments brdf_arguments;
   add_brdf(app, brdf_arguments);
   command::CompareArguments compare_arguments;
@@ -288,6 +300,7 @@ ExitCode run(int argc, char** argv) {
   if (app.got_subcommand("compare")) return command::compare(compare_arguments);
   if (app.got_subcommand("decode")) return decode(decoded_image);
   if (app.got_subcommand("cost")) return command::cost(cost_arguments);
+  if (app.got_subcommand("noise")) return command::noise(noise_arguments);
   if (app.got_subcommand("plan")) return command::plan(plan_arguments);
   if (app.got_subcommand("bake")) return command::bake(bake_arguments);
   return command::render(arguments);

@@ -215,13 +215,20 @@ Rgb Render::sample(Kernel kernel, int x, int y, int scrambling, std::uint32_t nu
   return kernel(scene_, settings_.integrator, ray, backplate_at(image_x, image_y), sampler, counter);
 }
 
+void Render::contributions_of(int x, int y, int scrambling, std::uint32_t number,
+                              std::vector<Contribution>& contributions) const {
+  RayCounter counter;
+  counter.contributions = &contributions;
+  sample(observing_kernel_of(scene_, settings_.integrator), x, y, scrambling, number, counter);
+}
+
 std::optional<NotFinite> Render::cause_of_rejection() const {
   const RenderTotals all = totals();
   if (all.rejected == 0) return std::nullopt;
   const auto width = static_cast<std::uint64_t>(settings_.width);
   const int x = static_cast<int>(all.first_rejected % width);
   const int y = static_cast<int>(all.first_rejected / width);
-  const Kernel kernel = searching_kernel_of(scene_, settings_.integrator);
+  const Kernel kernel = observing_kernel_of(scene_, settings_.integrator);
   const FilmTile::Counts& counts = film_.counts_of(film_.tile_of(x, y));
   for (int scrambling = 0; scrambling < Film::Scramblings; ++scrambling) {
     for (std::uint32_t number = 0; number < counts[static_cast<std::size_t>(scrambling)]; ++number) {

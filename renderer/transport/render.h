@@ -114,6 +114,10 @@ class Render {
   /// such one. An empty term: each term was finite, but their product was not. To be called once `run` has
   /// returned; empty if there are no such samples.
   std::optional<NotFinite> cause_of_rejection() const;
+  /// Lists what a sample of a pixel consists of, by sequence `scrambling` of the pixel, any number of which
+  /// are independent. Needs no `run`; the integrator must be `Path`.
+  void contributions_of(int x, int y, int scrambling, std::uint32_t number,
+                        std::vector<Contribution>& contributions) const;
   /// The mean over pixels.
   double samples_per_pixel() const;
 

@@ -33,9 +33,9 @@ Kernel kernel_of(const CompiledScene& scene, const IntegratorSettings& settings)
   return path_kernel(path_effects(scene, settings));
 }
 
-Kernel searching_kernel_of(const CompiledScene& scene, const IntegratorSettings& settings) {
+Kernel observing_kernel_of(const CompiledScene& scene, const IntegratorSettings& settings) {
   if (settings.integrator != Integrator::Path) return kernel_of(scene, settings);
-  return searching_path_kernel();
+  return observing_path_kernel();
 }
 
 GatherKernel gather_kernel_of(const CompiledScene& scene, const IntegratorSettings& settings) {

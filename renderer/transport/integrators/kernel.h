@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "renderer/reflectance/resampling.h"
 #include "renderer/transport/lights/environment_map.h"
@@ -47,11 +48,24 @@ struct NotFinite {
   std::optional<SurfacePoint> where;  ///< empty for radiance from outside the scene
 };
 
-/// Counters of the work for some paths.
+/// What one light adds to the radiance that a path estimates.
+struct Contribution {
+  Rgb radiance = Rgb(0);
+  /// The emitter; InvalidIndex for the environment, the background and baked irradiance.
+  std::uint32_t emitter = InvalidIndex;
+  /// The reflector at which light from there was reflected first, on its way to the eye; InvalidIndex if the
+  /// eye sees the light itself.
+  std::uint32_t reflector = InvalidIndex;
+  int bounces = 0;  ///< between the light and the eye
+};
+
+/// Counters of the work for some paths, and what an observing kernel stores besides.
 struct RayCounter {
   std::uint64_t rays = 0;
   std::uint64_t sampling_ticks = 0;  ///< in `processor_ticks`, spent in sampling schemes to draw directions
-  NotFinite* not_finite = nullptr;   ///< where a checking kernel stores the first non-finite term
+  NotFinite* not_finite = nullptr;   ///< where an observing kernel stores the first non-finite term
+  /// Where an observing kernel appends what the radiance of a path consists of; they sum to it.
+  std::vector<Contribution>* contributions = nullptr;
 
   template <class Value>
   void check_finite(std::string_view term, const Value& value, const SurfacePoint* where) const;
@@ -65,8 +79,9 @@ using Kernel = Rgb (*)(const CompiledScene& scene, const IntegratorSettings& set
 /// Returns the integrator's cheapest kernel that supports the scene's effects.
 Kernel kernel_of(const CompiledScene& scene, const IntegratorSettings& settings);
 
-/// Returns a slower kernel with the same result that also looks for terms that are not finite.
-Kernel searching_kernel_of(const CompiledScene& scene, const IntegratorSettings& settings);
+/// Returns a slower kernel with the same result that also looks for terms that are not finite, and, for the
+/// integrator `Path`, lists contributions.
+Kernel observing_kernel_of(const CompiledScene& scene, const IntegratorSettings& settings);
 
 /// Incident radiance from a unit direction, in the coordinates of the compiled scene; the direction is
 /// (0,0,0) without radiance.

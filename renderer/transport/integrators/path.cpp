@@ -46,7 +46,9 @@ class Path {
   template <class Value>
   const Value& check_finite(std::string_view term, const Value& value, const SurfacePoint* where) const;
   Rgb radiance_from_outside() const;
+  void add(const Rgb& radiance, std::uint32_t emitter, std::uint32_t reflector, int bounces);
   void add_emission(const SurfacePoint& point);
+  void add_reflected(const ShadingPoint& shading, const Rgb& radiance, std::uint32_t emitter);
   void add_direct_light(const ShadingPoint& shading, const Uniform4& xi);
   void add_area_light(const ShadingPoint& shading, float choice, const Vec2f& xi);
   void add_environment_light(const ShadingPoint& shading, const Vec2f& xi);
@@ -84,14 +86,34 @@ class Path {
   bool may_split_ = true;             ///< no non-specular hit yet
   int split_count_ = 1;               ///< number of paths that continue from this hit
   Vec3f light_direction_ = Vec3f(0);  ///< to the last light sample that could be reflected
+  // Set only where contributions are listed.
+  int bounces_ = 0;                              ///< before the current ray
+  std::uint32_t from_reflector_ = InvalidIndex;  ///< of the point that the ray was scattered from
+  float fraction_ = 1;                           ///< of the paths that continue after splits
 };
 
-/// Returns the value; a checking kernel records the first one that is not finite.
+/// Adds to the radiance of the path, and lists the contribution.
+template <PathEffects Has>
+void Path<Has>::add(const Rgb& radiance, std::uint32_t emitter, std::uint32_t reflector, int bounces) {
+  radiance_ += radiance;
+  if constexpr (Has.observe) {
+    if (counter_.contributions != nullptr && !reflectance::is_black(radiance))
+      counter_.contributions->push_back({radiance * fraction_, emitter, reflector, bounces});
+  }
+}
+
+/// Adds light that is reflected at a hit without another bounce.
+template <PathEffects Has>
+void Path<Has>::add_reflected(const ShadingPoint& shading, const Rgb& radiance, std::uint32_t emitter) {
+  add(radiance, emitter, shading.point.surface->reflector, bounces_ + 1);
+}
+
+/// Returns the value; an observing kernel records the first one that is not finite.
 template <PathEffects Has>
 template <class Value>
 const Value& Path<Has>::check_finite(std::string_view term, const Value& value,
                                      const SurfacePoint* where) const {
-  if constexpr (Has.search) counter_.check_finite(term, value, where);
+  if constexpr (Has.observe) counter_.check_finite(term, value, where);
   return value;
 }
 
@@ -105,7 +127,7 @@ void Path<Has>::add_emission(const SurfacePoint& point) {
     weight = power_heuristic(pdf_, (1 - environment_probability_) * light_pdf);
     check_finite("emission's weight", weight, &point);
   }
-  radiance_ += throughput_ * emission * weight;
+  add(throughput_ * emission * weight, point.emitter, from_reflector_, bounces_);
 }
 
 template <PathEffects Has>
@@ -179,7 +201,8 @@ void Path<Has>::add_area_light(const ShadingPoint& shading, float choice, const 
   if (!ray) return;
   ++counter_.rays;
   check_finite("radiance of a light", light->radiance, &shading.point);
-  if (!scene_.is_occluded(*ray, light->emitter)) radiance_ += *lit * light->radiance;
+  if (!scene_.is_occluded(*ray, light->emitter))
+    add_reflected(shading, *lit * light->radiance, light->emitter);
 }
 
 template <PathEffects Has>
@@ -191,7 +214,7 @@ void Path<Has>::add_environment_light(const ShadingPoint& shading, const Vec2f& 
   const auto ray = shading.ray_towards(scene_, light->direction, counter_.rays);
   if (!ray) return;
   ++counter_.rays;
-  if (scene_.is_unoccluded(*ray)) radiance_ += *lit * light->radiance;
+  if (scene_.is_unoccluded(*ray)) add_reflected(shading, *lit * light->radiance, InvalidIndex);
 }
 
 // The path continues in a direction of its own, not one of the candidates: a direction chosen by the map's
@@ -212,7 +235,7 @@ void Path<Has>::add_resampled_light(const ShadingPoint& shading) {
     ++counter_.rays;
     if (!scene_.is_unoccluded(*ray)) return;
     check_finite("resampled light", estimate, &shading.point);
-    radiance_ += throughput_ * shading.point.colour * estimate;
+    add_reflected(shading, throughput_ * shading.point.colour * estimate, InvalidIndex);
   };
   reflectance::resample(resampler_, *settings_.resampling, xi, draw, radiance, add_if_visible);
 }
@@ -240,6 +263,7 @@ bool Path<Has>::scatter(const ShadingPoint& shading, const Uniform4& xi) {
   check_finite("weight of a sampled direction", drawn->weight, &shading.point);
   throughput_ *= drawn->weight * shading.point.colour;
   if (reflectance::is_black(throughput_)) return false;
+  if constexpr (Has.observe) from_reflector_ = shading.point.surface->reflector;
   pdf_ = drawn->is_specular ? 0 : static_cast<float>(split_count_) * drawn->pdf;
   from_ = shading.point.position;
   from_normal_ = shading.frame.z;
@@ -295,6 +319,7 @@ Rgb Path<Has>::split(const ShadingPoint& shading, int bounces) {
   for (int i = 0; i < split_count_; ++i) {
     Path branch(*this);
     branch.radiance_ = Rgb(0);
+    if constexpr (Has.observe) branch.fraction_ = fraction_ / static_cast<float>(split_count_);
     branch.sampler_ = sampler_.branch(i, split_count_);
     const Uniform4 xi = points[i];
     if (branch.scatter(shading, xi) && branch.survives(xi.w)) sum += branch.run(std::nullopt, bounces);
@@ -305,12 +330,14 @@ Rgb Path<Has>::split(const ShadingPoint& shading, int bounces) {
 template <PathEffects Has>
 Rgb Path<Has>::run(const std::optional<Rgb>& backplate, int bounces) {
   for (;; ++bounces) {
+    if constexpr (Has.observe) bounces_ = bounces;
     ++counter_.rays;
     const auto point = scene_.intersect(ray_);
     if (!point) {
-      return radiance_ + throughput_ * (backplate && bounces == 0
-                                            ? check_finite("backplate", *backplate, nullptr)
-                                            : radiance_from_outside());
+      const Rgb outside = backplate && bounces == 0 ? check_finite("backplate", *backplate, nullptr)
+                                                    : radiance_from_outside();
+      add(throughput_ * outside, InvalidIndex, from_reflector_, bounces);
+      return radiance_;
     }
     add_emission(*point);
     check_finite("colour", point->colour, &*point);
@@ -322,7 +349,8 @@ Rgb Path<Has>::run(const std::optional<Rgb>& backplate, int bounces) {
       const Rgb value = reflector->evaluate(shading.u, Vec3f(0, 0, 1));
       check_finite("BRDF's value", value, &*point);
       check_finite("irradiance", *point->irradiance, &*point);
-      return radiance_ + throughput_ * point->colour * value * *point->irradiance;
+      add_reflected(shading, throughput_ * point->colour * value * *point->irradiance, InvalidIndex);
+      return radiance_;
     }
     // Where only direct light can follow, one direction suffices.
     const bool splits = settings_.split_count > 1 && may_split_ && reflector->has_nonspecular_part() &&
@@ -378,7 +406,7 @@ bool covers(const PathEffects& kernel, const PathEffects& wanted) {
          kernel.resampling >= wanted.resampling && kernel.needs_general_bsdf >= wanted.needs_general_bsdf;
 }
 
-constexpr PathEffects Searching = {.search = true};
+constexpr PathEffects Observing = {.observe = true};
 
 const PathKernel& kernel_for(const PathEffects& effects) {
   for (const PathKernel& candidate : Kernels) {
@@ -391,7 +419,7 @@ const PathKernel& kernel_for(const PathEffects& effects) {
 
 Kernel path_kernel(const PathEffects& effects) { return kernel_for(effects).kernel; }
 
-Kernel searching_path_kernel() { return &path_radiance<Searching>; }
+Kernel observing_path_kernel() { return &path_radiance<Observing>; }
 
 GatherKernel gather_kernel(const PathEffects& effects) { return kernel_for(effects).gather_kernel; }
 

@@ -10,7 +10,7 @@ struct PathEffects {
   bool environment = true;
   bool resampling = true;
   bool needs_general_bsdf = true;  ///< BRDFs besides `diffuse`, or sampling schemes besides its own
-  bool search = false;             ///< for terms that are not finite
+  bool observe = false;            ///< looks for terms that are not finite, and lists contributions
 
   bool operator==(const PathEffects&) const = default;
 };
@@ -23,8 +23,9 @@ struct PathEffects {
 /// that support a scene give the same image, bit for bit.
 Kernel path_kernel(const PathEffects& effects);
 
-/// Returns the kernel that supports all effects and reports the first term that is not finite.
-Kernel searching_path_kernel();
+/// Returns the kernel that supports all effects, reports the first term that is not finite, and lists
+/// contributions.
+Kernel observing_path_kernel();
 
 /// Returns the corresponding kernel for light that arrives at a point.
 GatherKernel gather_kernel(const PathEffects& effects);

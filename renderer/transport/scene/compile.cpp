@@ -41,6 +41,7 @@ struct Placed {
   const AreaLight* light = nullptr;
   std::uint32_t first_surface = 0;
   Matrix44d to_scene;
+  const grf::Block* block = nullptr;
 };
 
 EffectSet effects_of(const CompileSettings& settings) {
@@ -76,7 +77,7 @@ class Compiler {
  private:
   bool is_to_stop() const { return settings_.stop.stop_requested(); }
   RayCaster caster_of(std::shared_ptr<const Geometry> geometry) const;
-  void list(const Mesh& mesh, const Placement& placement);
+  void list(const Mesh& mesh, const Placement& placement, const grf::Block& block);
   Matrix44d to_scene(const Placement& placement) const;
   MeshSize size_of_first_mesh() const;
   void place(const Placed& placed, MeshBuilder& builder);
@@ -119,23 +120,25 @@ Matrix44d Compiler::to_scene(const Placement& placement) const {
   return placement.to_world * Matrix44d().setTranslation(-geometry_.origin);
 }
 
-void Compiler::list(const Mesh& mesh, const Placement& placement) {
+void Compiler::list(const Mesh& mesh, const Placement& placement, const grf::Block& block) {
   const Vec3f axis = stats_.is_instanced(mesh) ? Vec3f(0, 1, 0) : axis_of(placement.to_world);
-  placed_.push_back({&mesh, nullptr, surfaces_.add(mesh, placement.scope, axis), to_scene(placement)});
+  placed_.push_back(
+      {&mesh, nullptr, surfaces_.add(mesh, placement.scope, axis), to_scene(placement), &block});
 }
 
 void Compiler::list(const grf::Scene& scene) {
   grf::SceneVisitor visitor;
-  visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const grf::Block&) {
-    list(mesh, placement);
+  visitor.mesh = [&](const Mesh& mesh, const Placement& placement, const grf::Block& block) {
+    list(mesh, placement, block);
   };
-  visitor.mesh_light = [&](const grf::MeshLight& light, const Placement& placement, const grf::Block&) {
+  visitor.mesh_light = [&](const grf::MeshLight& light, const Placement& placement, const grf::Block& block) {
     const Mesh& mesh = *light.mesh;
-    placed_.push_back({&mesh, nullptr, surfaces_.add_light(mesh, placement.scope), to_scene(placement)});
+    placed_.push_back(
+        {&mesh, nullptr, surfaces_.add_light(mesh, placement.scope), to_scene(placement), &block});
   };
-  visitor.light = [&](const AreaLight& light, const Placement& placement, const grf::Block&) {
+  visitor.light = [&](const AreaLight& light, const Placement& placement, const grf::Block& block) {
     const std::uint32_t surface = surfaces_.add_light(light.radiance.value_or(Colour(1)));
-    placed_.push_back({nullptr, &light, surface, to_scene(placement)});
+    placed_.push_back({nullptr, &light, surface, to_scene(placement), &block});
   };
   grf::visit(scene, visitor);
 }
@@ -158,7 +161,13 @@ void Compiler::build() {
   MeshBuilder builder(size_of_first_mesh());
   geometry_.meshes.emplace_back();
   geometry_.instances.emplace_back(Matrix44d());
-  for (const Placed& placed : placed_) place(placed, builder);
+  for (const Placed& placed : placed_) {
+    const auto first_emitter = static_cast<std::uint32_t>(emitters_.size());
+    place(placed, builder);
+    if (emitters_.size() == first_emitter) continue;
+    const std::string name = placed.mesh != nullptr ? placed.mesh->name : std::string();
+    geometry_.lamps.push_back({first_emitter, name, placed.block->location});
+  }
   for (const Vec3f& position : builder.mesh().positions) local_bounds_.extendBy(Vec3d(position));
   geometry_.meshes[0] = builder.finish();
   if (!local_bounds_.isEmpty()) {

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
+#include "grf/diagnostics.h"
 #include "grf/math.h"
 
 namespace transport {
@@ -80,6 +82,13 @@ struct Instance {
   std::uint32_t first_emitter = 0;
 };
 
+/// A lamp: an area light, a mesh light, or the emitting faces of a mesh, where it is placed.
+struct Lamp {
+  std::uint32_t first_emitter = 0;  ///< its emitters end where those of the next lamp begin
+  std::string name;                 ///< of the mesh; may be empty
+  grf::SourceLocation location;
+};
+
 /// The geometry that rays can hit. Meshes that are placed once are merged into the first mesh, in scene
 /// coordinates; the first instance is that mesh, and its map is unused.
 struct Geometry {
@@ -89,6 +98,7 @@ struct Geometry {
   std::vector<std::uint32_t> emitter_table;
   /// The first triangle of each emitter; a parallelogram has two in a row.
   std::vector<TriangleId> emitter_triangles;
+  std::vector<Lamp> lamps;
   /// Subtracted from world coordinates.
   grf::Vec3d origin = grf::Vec3d(0);
   grf::Box3d bounds;  ///< in world space

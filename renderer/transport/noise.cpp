@@ -1,0 +1,188 @@
+#include "renderer/transport/noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <unordered_map>
+#include <utility>
+
+#include "renderer/parallel/loops.h"
+
+namespace transport {
+namespace {
+
+using grf::Vec3d;
+
+// The least squared radiance that errors are relative to, as in ErrorEstimate.
+constexpr double Floor = 0.01;
+
+/// Noise and light of the parts of one list, in no unit.
+struct Sums {
+  std::vector<double> noise, light;
+
+  explicit Sums(std::size_t parts) : noise(parts), light(parts) {}
+  void operator+=(const Sums& other) {
+    for (std::size_t i = 0; i < noise.size(); ++i) {
+      noise[i] += other.noise[i];
+      light[i] += other.light[i];
+    }
+  }
+};
+
+/// The radiance of one part of a pixel, in each of several images.
+using Images = std::vector<Vec3d>;
+
+/// The parts of a pixel that are not black.
+class PixelParts {
+ public:
+  explicit PixelParts(std::size_t images) : images_(images) {}
+
+  void add(std::size_t image, std::uint32_t part, const Vec3d& radiance) {
+    parts_.try_emplace(part, images_, Vec3d(0)).first->second[image] += radiance;
+  }
+
+  void add_to(Sums& sums, const Images& total, const Vec3d& mean) const {
+    for (const auto& [part, images] : parts_) {
+      Vec3d part_mean(0);
+      for (const Vec3d& image : images) part_mean += image / static_cast<double>(images_);
+      for (int channel = 0; channel < 3; ++channel) {
+        double covariance = 0;
+        for (std::size_t i = 0; i < images_; ++i) {
+          covariance += (images[i][channel] - part_mean[channel]) * (total[i][channel] - mean[channel]);
+        }
+        covariance /= static_cast<double>(images_ - 1);
+        sums.noise[part] += covariance / (mean[channel] * mean[channel] + Floor);
+        sums.light[part] += part_mean[channel] / std::sqrt(mean[channel] * mean[channel] + Floor);
+      }
+    }
+  }
+
+ private:
+  std::size_t images_;
+  std::unordered_map<std::uint32_t, Images> parts_;
+};
+
+/// The three lists of parts, over a row of pixels.
+struct RowSums {
+  Sums lamps, bounces, reflectors;
+
+  void operator+=(const RowSums& other) {
+    lamps += other.lamps;
+    bounces += other.bounces;
+    reflectors += other.reflectors;
+  }
+};
+
+class NoiseSearch {
+ public:
+  NoiseSearch(const CompiledScene& scene, const RenderSettings& settings, const NoiseSettings& noise)
+      : scene_(scene), noise_(noise), settings_(settings), render_(scene, settings) {
+    for (std::size_t i = 0; i < scene.geometry().lamps.size(); ++i) {
+      const std::uint32_t end = i + 1 < scene.geometry().lamps.size()
+                                    ? scene.geometry().lamps[i + 1].first_emitter
+                                    : static_cast<std::uint32_t>(scene.lights().size());
+      lamp_of_emitter_.resize(end, static_cast<std::uint32_t>(i));
+    }
+  }
+
+  RowSums empty_sums() const {
+    return {Sums(scene_.geometry().lamps.size() + 1),
+            Sums(static_cast<std::size_t>(settings_.integrator.depth) + 1), Sums(reflector_count() + 1)};
+  }
+
+  RowSums row(int y) const {
+    RowSums sums = empty_sums();
+    for (int x = 0; x < settings_.width; ++x) add_pixel(x, y, sums);
+    return sums;
+  }
+
+  double values() const { return 3.0 * settings_.width * settings_.height; }
+
+ private:
+  std::size_t reflector_count() const { return scene_.tables().size(); }
+
+  void add_pixel(int x, int y, RowSums& sums) const {
+    const auto images = static_cast<std::size_t>(noise_.images);
+    PixelParts lamps(images);
+    PixelParts bounces(images);
+    PixelParts reflectors(images);
+    Images total(images, Vec3d(0));
+    Vec3d mean(0);
+    std::vector<Contribution> contributions;
+    for (std::size_t image = 0; image < images; ++image) {
+      contributions.clear();
+      for (int number = 0; number < noise_.samples; ++number) {
+        render_.contributions_of(x, y, static_cast<int>(image), static_cast<std::uint32_t>(number),
+                                 contributions);
+      }
+      for (const Contribution& contribution : contributions) {
+        if (!is_finite(contribution.radiance)) continue;
+        const Vec3d radiance = Vec3d(contribution.radiance) / static_cast<double>(noise_.samples);
+        total[image] += radiance;
+        lamps.add(image, lamp_of(contribution.emitter), radiance);
+        bounces.add(image, static_cast<std::uint32_t>(contribution.bounces), radiance);
+        reflectors.add(image, std::min(contribution.reflector, static_cast<std::uint32_t>(reflector_count())),
+                       radiance);
+      }
+      mean += total[image] / static_cast<double>(images);
+    }
+    lamps.add_to(sums.lamps, total, mean);
+    bounces.add_to(sums.bounces, total, mean);
+    reflectors.add_to(sums.reflectors, total, mean);
+  }
+
+  std::uint32_t lamp_of(std::uint32_t emitter) const {
+    return emitter == InvalidIndex ? static_cast<std::uint32_t>(scene_.geometry().lamps.size())
+                                   : lamp_of_emitter_[emitter];
+  }
+
+  const CompiledScene& scene_;
+  const NoiseSettings noise_;
+  const RenderSettings settings_;
+  const Render render_;
+  std::vector<std::uint32_t> lamp_of_emitter_;
+};
+
+double sum_of(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum;
+}
+
+std::vector<NoiseShare> shares_of(const Sums& sums) {
+  const double noise = sum_of(sums.noise);
+  const double light = sum_of(sums.light);
+  std::vector<NoiseShare> shares;
+  for (std::size_t i = 0; i < sums.noise.size(); ++i) {
+    if (sums.light[i] == 0) continue;
+    shares.push_back({static_cast<std::uint32_t>(i), sums.noise[i] / noise, sums.light[i] / light});
+  }
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const NoiseShare& a, const NoiseShare& b) { return a.noise > b.noise; });
+  return shares;
+}
+
+}  // namespace
+
+std::optional<NoiseShares> noise_shares(const CompiledScene& scene, const RenderSettings& settings,
+                                        const NoiseSettings& noise, const std::atomic<bool>& stopped) {
+  RenderSettings plain = settings;
+  plain.adaptive = false;
+  plain.samples = noise.samples;
+  const NoiseSearch search(scene, plain, noise);
+  std::vector<RowSums> rows(static_cast<std::size_t>(plain.height), search.empty_sums());
+  parallel::run_with_threads(plain.threads, [&] {
+    parallel::for_each_index(plain.height, [&](int y) {
+      if (!stopped) rows[static_cast<std::size_t>(y)] = search.row(y);
+    });
+  });
+  if (stopped) return std::nullopt;
+  RowSums sums = search.empty_sums();
+  for (const RowSums& row : rows) sums += row;
+  const double variance = sum_of(sums.lamps.noise) / search.values();
+  if (!(variance > 0)) return std::nullopt;
+  return NoiseShares{std::sqrt(variance), noise.samples, shares_of(sums.lamps), shares_of(sums.bounces),
+                     shares_of(sums.reflectors)};
+}
+
+}  // namespace transport
