@@ -162,7 +162,7 @@ void MainWindow::make_scene_menu() {
       new_action(*this,
                  {tr("Chec&k..."),
                   {},
-                  QKeySequence("Ctrl+Alt+C"),
+                  QKeySequence("Ctrl+Alt+V"),
                   tr("List what can make the image wrong or noisy, and repair it: lamps in solids, "
                      "flipped normals, duplicates, values that are not finite")},
                  [this] { show_risks(); }));
