@@ -34,8 +34,8 @@ void add_progress(CLI::App& command, std::string& progress) {
           "--progress", progress,
           "bar: a progress bar on standard error, if that is a terminal; json: one JSON object per line on "
           "standard output, up to four times per second, with done (0 to 1), seconds, seconds_left, "
-          "estimated_error (null while unknown) and image (null until it is written: the last line names "
-          "it); none (bar)")
+          "estimated_error (null while unknown), image (null until it is written: the last line names it) "
+          "and, of a render with a target error, forecasts as by --forecast; none (bar)")
       ->type_name("bar|json|none")
       ->check(CLI::IsMember({"bar", "json", "none"}));
 }

@@ -36,6 +36,8 @@ constexpr int TrialSamples = 4;
 constexpr double ProbeSamples = 100;
 /// The fewest tiles of a probe, of an image that has so many: the error of an image is spread unevenly.
 constexpr int LeastTiles = 24;
+/// The fewest error checks for a forecast before the end of the probe.
+constexpr std::size_t FewestChecks = 3;
 
 RenderSettings without_limits(RenderSettings settings) {
   settings.samples = RenderSettings::Unlimited;
@@ -50,8 +52,25 @@ struct Probe {
   std::optional<Render> render;
 };
 
+/// Shows the forecasts of a probe that is still running: where other programs are busy, it takes long.
+void show_progress(const Render& probe, const std::optional<double>& target_error, double seconds,
+                   ProgressReport& report) {
+  if (!report.is_due()) return;
+  const std::vector<transport::ErrorCheck> checks = probe.checks();
+  if (checks.size() < FewestChecks) return;
+  transport::RenderProgress progress;
+  progress.seconds = checks.back().seconds;
+  progress.done = std::min(0.99, progress.seconds / seconds);
+  progress.estimated_error = checks.back().estimate.error;
+  if (report.has_forecasts()) {
+    progress.forecasts = probe.forecasts(transport::forecast_targets(target_error));
+  }
+  report.show(progress);
+}
+
 /// Renders a probe that takes about this many seconds of the processor per thread, unless a signal stops it.
-void run_probe(const job::RenderJob& job, double seconds, SignalHandler& signal_handler, Probe& probe) {
+void run_probe(const job::RenderJob& job, double seconds, SignalHandler& signal_handler,
+               ProgressReport& report, Probe& probe) {
   RenderSettings settings = without_limits(job.settings);
   settings.probe = {TrialTiles, seconds};
   settings.samples = TrialSamples;
@@ -66,7 +85,8 @@ void run_probe(const job::RenderJob& job, double seconds, SignalHandler& signal_
                     seconds - trial.seconds};
   settings.samples = RenderSettings::Unlimited;
   probe.render.emplace(job.scene, settings);
-  run_watched(*probe.render, signal_handler, [] {});
+  run_watched(*probe.render, signal_handler,
+              [&] { show_progress(*probe.render, job.settings.target_error, seconds, report); });
 }
 
 struct ForecastReport {
@@ -141,7 +161,8 @@ ExitCode forecast(const RenderArguments& arguments, RenderOptions render_options
   if (!is_possible) return ExitCode::BadInput;
   const double setup_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  run_probe(*job, arguments.forecast_seconds, signal_handler, probe);
+  ProgressReport progress(progress_style_of(arguments.progress));
+  run_probe(*job, arguments.forecast_seconds, signal_handler, progress, probe);
   if (signal_handler.was_signalled()) return ExitCode::Interrupted;
   const ForecastReport report = {
       arguments.scene,
