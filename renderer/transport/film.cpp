@@ -8,6 +8,11 @@
 namespace transport {
 namespace {
 
+/// The variance of the tiles' squared errors, relative to their squared mean, that a sample of them does not
+/// show: the few tiles with most of an image's error are likely to be missed. With this, 90 % of the errors
+/// of images of 25 scenes were within 1.645 deviations of that of 24 of 192 or 256 tiles.
+constexpr double UnseenTileVariance = 2;
+
 bool has_both_halves(const FilmTile::Counts& counts) { return counts[0] > 0 && counts[1] > 0; }
 
 /// Whether all samples have the same weight.
@@ -209,9 +214,10 @@ std::optional<Film::SampledError> Film::sampled_error() const {
   // The variance of a mean of some of finitely many values (Cochran 1977, "Sampling techniques", 2.6), of
   // squared errors: the logarithm of the error varies half as much.
   const double mean = errors / tiles;
-  const double variance = tiles > 1 ? (squares - tiles * mean * mean) / (tiles - 1) : mean * mean;
-  const double of_mean = std::max(0.0, variance) / tiles * (1 - part);
-  return SampledError{*estimate, mean > 0 ? std::sqrt(of_mean) / mean / 2 : 0};
+  if (!(mean > 0)) return SampledError{*estimate, 0};
+  const double variance = tiles > 1 ? (squares - tiles * mean * mean) / (tiles - 1) : 0;
+  const double relative_variance = std::max(0.0, variance) / (mean * mean) + UnseenTileVariance;
+  return SampledError{*estimate, std::sqrt(relative_variance / tiles * (1 - part)) / 2};
 }
 
 std::optional<double> Film::estimated_error() const {

@@ -70,7 +70,7 @@ constexpr double BoundQuantile = 1.96;
 constexpr double CoverageQuantile = 1.645;
 
 /// The deviation of the time per sample of tiles, relative to their mean.
-constexpr double TileCostDeviation = 0.7;
+constexpr double TileCostDeviation = 0.5;
 
 /// The samples at the next check.
 double next_check(double samples) {

@@ -1,4 +1,5 @@
 // Tests of `bpt render --forecast`.
+#include <array>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
@@ -28,10 +29,11 @@ TEST_F(BptForecast, TellsTheTimeUntilEachTarget) {
   EXPECT_EQ(report["probability"], 0.9);
   EXPECT_GT(report["probe"]["samples"], 15);
   ASSERT_EQ(report["forecasts"].size(), 4U);
+  const std::array targets = {0.05, 0.03, 0.02, 0.01};
   double before = 0;
   for (const std::size_t i : {0, 1, 2, 3}) {
     const nlohmann::json& one = report["forecasts"][i];
-    EXPECT_NEAR(one["target_error"].get<double>(), std::array{0.05, 0.03, 0.02, 0.01}[i], 1e-9);
+    EXPECT_NEAR(one["target_error"].get<double>(), targets[i], 1e-9);
     const auto seconds = one["seconds"].get<double>();
     EXPECT_GE(seconds, before);
     EXPECT_LE(one["seconds_interval"][0], seconds);
