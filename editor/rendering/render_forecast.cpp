@@ -22,6 +22,7 @@ RenderForecast::RenderForecast(QString program, QObject* parent)
 void RenderForecast::start(FinalRenderRequest request) {
   stop();
   if (const QString why = process_.why_missing(); !why.isEmpty()) return emit failed(why);
+  is_running_ = true;
   const QString base = folder_.filePath("forecast");
   request.options = with_absolute_paths(std::move(request.options), request.path);
   request.options.scene = (base + ".grf").toStdString();
@@ -39,10 +40,11 @@ void RenderForecast::start(FinalRenderRequest request) {
 void RenderForecast::stop() {
   writing_.stop();
   process_.kill();
+  is_running_ = false;
 }
 
 void RenderForecast::run(const Files& files) {
-  if (files.options.isEmpty()) return emit failed(files.problem);
+  if (files.options.isEmpty()) return give_up(files.problem);
   process_.start({"render", files.options, "--forecast", "--progress", "json", "--json"});
 }
 
@@ -51,7 +53,13 @@ void RenderForecast::read(const QByteArray& line) {
 }
 
 void RenderForecast::end(const RendererEnd& end) {
+  is_running_ = false;
   if (!end.problem.isEmpty()) emit failed(end.problem);
+}
+
+void RenderForecast::give_up(const QString& why) {
+  is_running_ = false;
+  emit failed(why);
 }
 
 }  // namespace editor

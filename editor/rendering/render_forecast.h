@@ -18,11 +18,13 @@ class RenderForecast : public QObject {
 
  public:
   explicit RenderForecast(QString program = bundled_program("bpt"), QObject* parent = nullptr);
+  ~RenderForecast() override { stop(); }
 
   /// Starts a forecast, which replaces the one that is being made.
   void start(FinalRenderRequest request);
   /// Cancels the forecast that is being made. No signal follows.
   void stop();
+  bool is_running() const { return is_running_; }
 
  signals:
   /// Emitted several times, at first with wide intervals.
@@ -40,8 +42,10 @@ class RenderForecast : public QObject {
   void run(const Files& files);
   void read(const QByteArray& line);
   void end(const RendererEnd& end);
+  void give_up(const QString& why);
 
   QTemporaryDir folder_;
+  bool is_running_ = false;
   BackgroundJob<Files> writing_{this};
   RendererProcess process_;
 };

@@ -204,6 +204,7 @@ void RenderPanel::connect_final() {
     if (std::exchange(resumes_after_, false)) preview_.resume();
     if (!preview_.is_on()) follow();
     end_job();
+    follow_forecast();
   });
 }
 

@@ -45,6 +45,7 @@ void RenderPanel::connect_forecast() {
   connect(&forecast_, &RenderForecast::forecast, forecast_row_, &ForecastRow::set_forecasts);
   connect(&forecast_, &RenderForecast::failed, forecast_row_, &ForecastRow::set_problem);
   connect(&final_, &FinalRender::started, this, [this] {
+    is_forecast_outdated_ = is_forecast_outdated_ || forecast_.is_running();  // the render has priority
     forecast_timer_.stop();
     forecast_.stop();
   });

@@ -71,6 +71,9 @@ constexpr double CoverageQuantile = 1.645;
 
 /// The deviation of the time per sample of tiles, relative to their mean.
 constexpr double TileCostDeviation = 0.5;
+/// The deviation of the logarithm of the time per sample between a short probe and a long render: of caches
+/// and clock rates.
+constexpr double ProbeCostDeviation = 0.08;
 
 /// The samples at the next check.
 double next_check(double samples) {
@@ -283,7 +286,7 @@ RenderCost cost_of_image(const std::vector<ErrorCheck>& checks, int tiles, doubl
     cost.seconds_per_sample = (last.seconds - half->seconds) / fraction / (last.samples - half->samples);
   }
   cost.seconds_per_check = last.check_seconds / static_cast<double>(checks.size()) / fraction;
-  cost.deviation = std::hypot(cost.deviation, TileCostDeviation * std::sqrt((1 - fraction) / tiles));
+  cost.deviation = std::hypot(ProbeCostDeviation, TileCostDeviation * std::sqrt((1 - fraction) / tiles));
   return cost;
 }
 

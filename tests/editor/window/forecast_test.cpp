@@ -99,6 +99,13 @@ TEST_F(RenderForecasts, AreKeptTrueByTheRender) {
   ASSERT_TRUE(are_jobs_done());
 }
 
+TEST_F(RenderForecasts, AreMadeAfterARenderThatCameFirst) {
+  QTest::qWait(1500);  // the forecast is being made
+  QTest::keyClick(&window_, Qt::Key_F6);
+  ASSERT_TRUE(are_jobs_done());
+  EXPECT_TRUE(has_forecast());
+}
+
 TEST_F(RenderForecasts, SayWhyThereIsNone) {
   document().replace("Empty it", {});
   ASSERT_TRUE(QTest::qWaitFor([this] { return label().startsWith("No forecast"); }, test::Minute));
