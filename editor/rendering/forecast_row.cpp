@@ -25,26 +25,14 @@ bool is_same(double target, std::optional<double> other) {
 ForecastRow::ForecastRow(QWidget* parent)
     : QWidget(parent),
       label_(new QLabel(this)),
+      row_(new QHBoxLayout),
       times_{{0.05, {}, {}, {}}, {0.02, {}, {}, {}}, {0.01, {}, {}, {}}} {
   auto* column = tight_layout<QVBoxLayout>(this, 2);
   label_->setAccessibleName(tr("Forecast of the render time"));
   label_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   column->addWidget(label_);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(Grid / 2);
-  column->addLayout(row);
-  for (std::size_t i = 0; i < MostButtons; ++i) {
-    auto* button = new QToolButton(this);
-    button->setCheckable(true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    connect(button, &QToolButton::clicked, this, [this, i] {
-      emit target_chosen(times_[i].target_error);
-      show_buttons();  // a click on the current target does not unset it
-    });
-    row->addWidget(button);
-    buttons_.push_back(button);
-  }
+  row_->setSpacing(Grid / 2);
+  column->addLayout(row_);
   set_measuring();
 }
 
@@ -77,10 +65,25 @@ void ForecastRow::set_target(std::optional<double> error) {
 }
 
 void ForecastRow::show_buttons() {
-  for (std::size_t i = 0; i < buttons_.size(); ++i) {
-    buttons_[i]->setVisible(i < times_.size());
-    if (i < times_.size()) show_button(*buttons_[i], times_[i]);
+  while (buttons_.size() < times_.size()) add_button();
+  for (; buttons_.size() > times_.size(); buttons_.pop_back()) {
+    buttons_.back()->hide();
+    buttons_.back()->deleteLater();
   }
+  for (std::size_t i = 0; i < buttons_.size(); ++i) show_button(*buttons_[i], times_[i]);
+}
+
+void ForecastRow::add_button() {
+  auto* button = new QToolButton(this);
+  button->setCheckable(true);
+  button->setFocusPolicy(Qt::StrongFocus);
+  button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  connect(button, &QToolButton::clicked, this, [this, i = buttons_.size()] {
+    emit target_chosen(times_[i].target_error);
+    show_buttons();  // a click on the current target does not unset it
+  });
+  row_->addWidget(button);
+  buttons_.push_back(button);
 }
 
 void ForecastRow::show_button(QToolButton& button, const ForecastTime& time) {

@@ -38,9 +38,11 @@ class ForecastRow : public QWidget {
 
  private:
   void show_buttons();
+  void add_button();
   void show_button(QToolButton& button, const ForecastTime& time);
 
   QLabel* label_;
+  QHBoxLayout* row_;
   std::vector<QToolButton*> buttons_;
   std::vector<ForecastTime> times_;
   std::optional<double> target_;
