@@ -26,6 +26,7 @@
 #include "editor/jobs/job_list.h"
 #include "editor/rendering/error_curve.h"
 #include "editor/rendering/fitted_image.h"
+#include "editor/rendering/forecast_row.h"
 #include "editor/rendering/render_dialogs.h"
 #include "editor/rendering/render_files.h"
 #include "editor/rendering/render_history.h"
@@ -44,11 +45,17 @@ const QString RenderQueue = QStringLiteral("renders");
 }  // namespace
 
 RenderPanel::RenderPanel(Document& document, JobList& jobs, const QString& program, QWidget* parent)
-    : QWidget(parent), document_(document), jobs_(jobs), options_(document.options()), final_(program) {
+    : QWidget(parent),
+      document_(document),
+      jobs_(jobs),
+      options_(document.options()),
+      final_(program),
+      forecast_(program) {
   make_actions();
   lay_out();
   connect_preview();
   connect_final();
+  connect_forecast();
   connect(&document_, &Document::changed, this, &RenderPanel::follow);
   connect(&document_, &Document::path_changed, this, &RenderPanel::follow);
   connect(&document_, &Document::editor_state_changed, this, [this] {
@@ -117,6 +124,8 @@ QWidget* RenderPanel::make_controls() {
   column->addLayout(buttons);
   column->addWidget(settings_);
   column->addWidget(without_hidden_);
+  forecast_row_ = new ForecastRow(controls);
+  column->addWidget(forecast_row_);
   column->addStretch();
   column->addWidget(progress_);
   column->addWidget(status_);
@@ -195,6 +204,7 @@ void RenderPanel::connect_final() {
     if (std::exchange(resumes_after_, false)) preview_.resume();
     if (!preview_.is_on()) follow();
     end_job();
+    follow_forecast();
   });
 }
 
@@ -216,6 +226,7 @@ void RenderPanel::finish(const FinalRenderResult& result) {
     follow();  // in the dock, preview images would hide this one
   }
   end_job();
+  follow_forecast();
 }
 
 void RenderPanel::show_options() {
@@ -226,6 +237,7 @@ void RenderPanel::show_options() {
   if (!is_from_there) view_.reset();
   settings_->set_options(now);
   curve_->set_target(now.target_error);
+  show_forecast_options();
   if (!preview_view_ || preview_options() != previewed_options_) follow();
 }
 

@@ -2,12 +2,14 @@
 
 #include <QPointer>
 #include <QString>
+#include <QTimer>
 #include <QWidget>
 #include <optional>
 
 #include "editor/jobs/background_job.h"
 #include "editor/rendering/final_render.h"
 #include "editor/rendering/preview.h"
+#include "editor/rendering/render_forecast.h"
 
 class QAction;
 class QCheckBox;
@@ -20,6 +22,7 @@ namespace editor {
 class Document;
 class ErrorCurve;
 class FittedImage;
+class ForecastRow;
 class Job;
 class JobList;
 class OpDocument;
@@ -86,6 +89,11 @@ class RenderPanel : public QWidget {
   QPlainTextEdit* make_log();
   void connect_preview();
   void connect_final();
+  void connect_forecast();
+  void outdate_forecast();
+  void follow_forecast();
+  void show_forecast_options();
+  void make_forecast();
   void list_preview(job::PreviewState state);
   void toggle_preview();
   void restart_preview();
@@ -123,7 +131,9 @@ class RenderPanel : public QWidget {
   bool follows_ = false;                      ///< whether the preview of a view follows edits
   options::RenderOptions previewed_options_;  ///< of the last preview
   QString image_path_;                        ///< of the shown image; empty for the preview
-  bool resumes_after_ = false;                ///< whether the preview was paused for a render
+  options::RenderOptions forecast_options_;   ///< what the last forecast depends on
+  bool is_forecast_outdated_ = true;
+  bool resumes_after_ = false;  ///< whether the preview was paused for a render
 
   QAction* preview_action_;
   QAction* render_action_;
@@ -133,6 +143,7 @@ class RenderPanel : public QWidget {
   QAction* options_action_;
   RenderSettingsRow* settings_;
   QCheckBox* without_hidden_;
+  ForecastRow* forecast_row_;
   QProgressBar* progress_;
   QLabel* status_;
   FittedImage* image_;
@@ -142,6 +153,8 @@ class RenderPanel : public QWidget {
   BackgroundJob<grf::Scene> hiding_{this};  ///< removes hidden faces for the preview
   Preview preview_;
   FinalRender final_;
+  RenderForecast forecast_;
+  QTimer forecast_timer_;  ///< runs while edits may follow
 };
 
 }  // namespace editor

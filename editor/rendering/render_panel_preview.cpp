@@ -1,4 +1,7 @@
 // The preview of the Render dock, and of a 3D view that shows it.
+#include <QCheckBox>
+#include <QLabel>
+#include <QPlainTextEdit>
 #include <utility>
 
 #include "editor/document/document.h"
@@ -85,6 +88,7 @@ void RenderPanel::toggle_preview() {
 void RenderPanel::set_threads(int threads) {
   if (threads == threads_) return;
   threads_ = threads;
+  show_forecast_options();
   follow();
 }
 

@@ -1,6 +1,7 @@
 #include "editor/rendering/render_report.h"
 
 #include <QCoreApplication>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <cmath>
@@ -11,6 +12,20 @@ namespace {
 std::optional<double> number(const QJsonObject& object, const char* name) {
   const QJsonValue value = object.value(QLatin1String(name));
   return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
+}
+
+std::vector<ForecastTime> forecasts(const QJsonObject& object) {
+  std::vector<ForecastTime> times;
+  for (const QJsonValue& value : object.value(QLatin1String("forecasts")).toArray()) {
+    const QJsonObject forecast = value.toObject();
+    const QJsonArray interval = forecast.value(QLatin1String("seconds_interval")).toArray();
+    const auto bound = [&](int i) {
+      return interval.at(i).isDouble() ? std::optional(interval.at(i).toDouble()) : std::nullopt;
+    };
+    const double target = number(forecast, "target_error").value_or(0);
+    if (target > 0) times.push_back({target, number(forecast, "seconds"), bound(0), bound(1)});
+  }
+  return times;
 }
 
 class ReportText {
@@ -24,7 +39,11 @@ std::optional<RenderReport> render_report_of(const QByteArray& line) {
   const auto done = number(object, "done");
   if (!done) return std::nullopt;
   return RenderReport{*done, number(object, "seconds").value_or(0), number(object, "seconds_left"),
-                      number(object, "estimated_error")};
+                      number(object, "estimated_error"), forecasts(object)};
+}
+
+std::vector<ForecastTime> forecast_times_of(const QByteArray& line) {
+  return forecasts(QJsonDocument::fromJson(line).object());
 }
 
 std::optional<RenderSummary> render_summary_of(const QByteArray& line) {

@@ -4,8 +4,18 @@
 #include <QByteArray>
 #include <QString>
 #include <optional>
+#include <vector>
 
 namespace editor {
+
+/// The forecast time of a render until its error is at most a target. Times without a value are beyond any
+/// render.
+struct ForecastTime {
+  double target_error = 0;        ///< sqrt(relMSE)
+  std::optional<double> seconds;  ///< the median
+  std::optional<double> low;      ///< bounds of an interval with 90 % probability; none without a forecast
+  std::optional<double> high;
+};
 
 /// Progress of a render.
 struct RenderReport {
@@ -13,6 +23,7 @@ struct RenderReport {
   double seconds = 0;
   std::optional<double> seconds_left;     ///< none if unknown
   std::optional<double> estimated_error;  ///< sqrt(relMSE)
+  std::vector<ForecastTime> forecasts;    ///< of the whole render; empty while there are none
 };
 
 /// Summary of a render.
@@ -34,6 +45,8 @@ struct BakeSummary {
 
 /// Parses a progress report; nothing if the line is another one.
 std::optional<RenderReport> render_report_of(const QByteArray& line);
+/// Parses the forecasts of a progress report or of `bpt render --forecast`; empty if the line has none.
+std::vector<ForecastTime> forecast_times_of(const QByteArray& line);
 std::optional<RenderSummary> render_summary_of(const QByteArray& line);
 std::optional<BakeSummary> bake_summary_of(const QByteArray& line);
 

@@ -8,13 +8,15 @@
 namespace editor {
 namespace {
 
-/// The window has priority, and a run that is cancelled when the editor quits has some seconds to save.
-constexpr ChildSettings Settings = {.niceness = 5, .terminate_timeout = 5000};
+/// A run that is cancelled when the editor quits has some seconds to save.
+constexpr int TerminateTimeout = 5000;
 
 }  // namespace
 
-RendererProcess::RendererProcess(QString program, QObject* parent)
-    : QObject(parent), program_(std::move(program)), process_(Settings) {
+RendererProcess::RendererProcess(QString program, QObject* parent, int niceness)
+    : QObject(parent),
+      program_(std::move(program)),
+      process_({.niceness = niceness, .terminate_timeout = TerminateTimeout}) {
   connect(&process_, &ChildProcess::wrote, this, &RendererProcess::reported);
   connect(&process_, &ChildProcess::logged, this, &RendererProcess::log);
   connect(&process_, &ChildProcess::ended, this, &RendererProcess::end);

@@ -21,7 +21,9 @@ class RendererProcess : public QObject {
   Q_OBJECT
 
  public:
-  explicit RendererProcess(QString program = bundled_program("bpt"), QObject* parent = nullptr);
+  /// The window has priority over a process with the default niceness; see nice(2).
+  explicit RendererProcess(QString program = bundled_program("bpt"), QObject* parent = nullptr,
+                           int niceness = 5);
   /// Why the program cannot be run; empty if it was found.
   QString why_missing() const;
   void start(const QStringList& arguments);

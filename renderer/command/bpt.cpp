@@ -35,8 +35,8 @@ void add_progress(CLI::App& command, std::string& progress) {
           "--progress", progress,
           "bar: a progress bar on standard error, if that is a terminal; json: one JSON object per line on "
           "standard output, up to four times per second, with done (0 to 1), seconds, seconds_left, "
-          "estimated_error (null while unknown) and image (null until it is written: the last line names "
-          "it); none (bar)")
+          "estimated_error (null while unknown), image (null until it is written: the last line names it) "
+          "and, of a render with a target error, forecasts as by --forecast; none (bar)")
       ->type_name("bar|json|none")
       ->check(CLI::IsMember({"bar", "json", "none"}));
 }
@@ -94,6 +94,16 @@ void add_render(CLI::App& app, command::RenderArguments& arguments) {
   add_progress(*render, arguments.progress);
   render->add_flag("--json", arguments.json,
                    "print the summary as JSON; with --progress json, on one more line");
+  CLI::Option* forecast =
+      render->add_flag("--forecast", arguments.forecasts,
+                       "render no image, but forecast the time until errors of 5, 2 and 1 % and the target "
+                       "error, with the interval that contains it with 90 % probability");
+  render
+      ->add_option("--forecast-seconds", arguments.forecast_seconds,
+                   "processor time per thread of the probe for a forecast (2)")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->needs(forecast);
 }
 
 /// A bake takes the render options that control light transport, sampling and termination.

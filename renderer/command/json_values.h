@@ -3,11 +3,13 @@
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include "grf/math.h"
 #include "grf/write.h"
+#include "renderer/transport/forecast.h"
 
 namespace command {
 
@@ -19,6 +21,22 @@ inline nlohmann::ordered_json number_or_null(const std::optional<double>& number
 /// Returns an array of the three components, each with the fewest digits that read back to the same float.
 inline nlohmann::ordered_json json_array(const grf::Vec3f& vector) {
   return {grf::shortest(vector.x), grf::shortest(vector.y), grf::shortest(vector.z)};
+}
+
+/// Returns an array of forecasts, with null for what no render reaches.
+inline nlohmann::ordered_json json_of(const std::vector<transport::TargetForecast>& forecasts) {
+  const auto interval = [](const transport::ForecastValue& value) {
+    return nlohmann::ordered_json{number_or_null(value.low), number_or_null(value.high)};
+  };
+  auto array = nlohmann::ordered_json::array();
+  for (const transport::TargetForecast& forecast : forecasts) {
+    array.push_back({{"target_error", forecast.target_error},
+                     {"seconds", number_or_null(forecast.seconds.median)},
+                     {"seconds_interval", interval(forecast.seconds)},
+                     {"samples", number_or_null(forecast.samples.median)},
+                     {"samples_interval", interval(forecast.samples)}});
+  }
+  return array;
 }
 
 }  // namespace command

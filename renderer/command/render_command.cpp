@@ -16,6 +16,7 @@
 #include "renderer/command/plan_summary.h"
 #include "renderer/command/render_arguments.h"
 #include "renderer/command/render_fingerprint.h"
+#include "renderer/command/render_forecast.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_reports.h"
 #include "renderer/command/render_run.h"
@@ -201,6 +202,7 @@ grf::ExitCode render(const RenderArguments& arguments) {
     return ExitCode::BadInput;
   }
   if (!apply_flags(arguments.flags, *render_options)) return ExitCode::BadCommandLine;
+  if (arguments.forecasts) return forecast(arguments, *render_options, diagnostics);
   const std::vector<std::string> outputs = outputs_of(arguments, *render_options);
   if (render_options->frames == 1) return render_image(arguments, *render_options, outputs, diagnostics);
   return render_frames(arguments, *render_options, outputs, diagnostics);

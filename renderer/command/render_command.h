@@ -15,10 +15,12 @@ struct RenderArguments {
   std::vector<std::string> outputs;  ///< images to write, one per file type; empty: that of the OP file
   std::string progress = "bar";      ///< or `json`, or `none`
   bool json = false;
+  bool forecasts = false;       ///< forecasts the cost of the render instead
+  double forecast_seconds = 2;  ///< of the probe for that
 };
 
-/// Renders a scene, writes the image and prints a summary. SIGINT and SIGTERM stop the render early; the
-/// image so far is written.
+/// Renders a scene, writes the image and prints a summary; or prints a forecast. SIGINT and SIGTERM stop the
+/// render early; the image so far is written.
 grf::ExitCode render(const RenderArguments& arguments);
 
 }  // namespace command

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "grf/wording.h"
+#include "renderer/command/json_values.h"
 
 namespace command {
 namespace {
@@ -25,17 +26,14 @@ std::string bar_of(const RenderProgress& progress) {
   return bar + (progress.seconds_left ? fmt::format("  {} left", duration_text(*progress.seconds_left)) : "");
 }
 
-nlohmann::json json_of(const std::optional<double>& number) {
-  return number && std::isfinite(*number) ? nlohmann::json(*number) : nlohmann::json(nullptr);
-}
-
 void print_json(const RenderProgress& progress, const nlohmann::json& image) {
   nlohmann::ordered_json line;
   line["done"] = progress.done;
   line["seconds"] = progress.seconds;
-  line["seconds_left"] = json_of(progress.seconds_left);
-  line["estimated_error"] = json_of(progress.estimated_error);
+  line["seconds_left"] = number_or_null(progress.seconds_left);
+  line["estimated_error"] = number_or_null(progress.estimated_error);
   line["image"] = image;
+  if (!progress.forecasts.empty()) line["forecasts"] = json_of(progress.forecasts);
   // Not fmt::print, which throws: a reader that closed the pipe is no reason to stop.
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
   std::fputs((line.dump(-1, ' ', false, replace) + "\n").c_str(), stdout);
@@ -56,9 +54,8 @@ void ProgressReport::clear() {
 }
 
 void ProgressReport::show(const RenderProgress& progress) {
-  const auto now = std::chrono::steady_clock::now();
-  if (style_ == ProgressStyle::None || now < next_) return;
-  next_ = now + Interval;
+  if (!is_due()) return;
+  next_ = std::chrono::steady_clock::now() + Interval;
   if (style_ == ProgressStyle::Json) {
     // The last line reports that the render is done, once the image is written.
     if (progress.done < 1) print_json(progress, nullptr);

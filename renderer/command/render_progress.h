@@ -23,6 +23,10 @@ class ProgressReport {
   ProgressReport(const ProgressReport&) = delete;
   ProgressReport& operator=(const ProgressReport&) = delete;
 
+  /// Whether `show` would show something now.
+  bool is_due() const { return style_ != ProgressStyle::None && std::chrono::steady_clock::now() >= next_; }
+  /// Whether forecasts are shown.
+  bool has_forecasts() const { return style_ == ProgressStyle::Json; }
   /// Shows the progress at most four times a second, however often it is called.
   void show(const transport::RenderProgress& progress);
 

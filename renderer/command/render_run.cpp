@@ -44,6 +44,15 @@ class CheckpointKeeper {
   Clock::time_point due_ = Clock::now() + Interval;
 };
 
+void show_progress(const transport::Render& render, ProgressReport& report) {
+  if (!report.is_due()) return;
+  transport::RenderProgress progress = render.progress();
+  if (report.has_forecasts() && !render.checks().empty()) {
+    progress.forecasts = render.forecasts(transport::forecast_targets(render.settings().target_error));
+  }
+  report.show(progress);
+}
+
 void print_problem(std::optional<transport::DisplayClient>& display) {
   if (!display) return;
   if (const auto problem = display->take_problem()) fmt::print(stderr, "warning: {}\n", *problem);
@@ -71,7 +80,7 @@ bool run(transport::Render& render, SignalHandler& signal_handler, const RunSett
   if (settings.display) display.emplace(render, *settings.display, settings.title, settings.viewer_launcher);
   CheckpointKeeper<transport::Render> checkpoint(render, settings);
   const auto watch = [&] {
-    progress.show(render.progress());
+    show_progress(render, progress);
     print_problem(display);
     checkpoint.keep_if_due();
   };

@@ -17,6 +17,7 @@ double smooth_spread(const Film& film, int tile, std::size_t half) {
   double pixels = 0;
   for (int k = std::max(y - 1, 0); k <= std::min(y + 1, film.tiles_down() - 1); ++k) {
     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, across - 1); ++i) {
+      if (film.sample_count_of(k * across + i) == 0) continue;
       sum += film.spreads_of(k * across + i)[half];
       pixels += static_cast<double>(film.bounds_of(k * across + i).pixel_count());
     }
@@ -58,9 +59,10 @@ FilmTile::Counts uniform_counts(int samples) {
 
 AdaptiveSampling::AdaptiveSampling(const Film& film) {
   for (int tile = 0; tile < film.tile_count(); ++tile) {
-    pixels_.push_back(static_cast<double>(film.bounds_of(tile).pixel_count()));
+    const bool has_samples = film.sample_count_of(tile) > 0;
+    pixels_.push_back(has_samples ? static_cast<double>(film.bounds_of(tile).pixel_count()) : 0);
     for (std::size_t half = 0; half < weights_.size(); ++half) {
-      weights_[half].push_back(std::sqrt(smooth_spread(film, tile, 1 - half)));
+      weights_[half].push_back(has_samples ? std::sqrt(smooth_spread(film, tile, 1 - half)) : 0);
     }
   }
 }
@@ -73,6 +75,7 @@ std::vector<FilmTile::Counts> AdaptiveSampling::counts(int samples) const {
   for (std::size_t half = 0; half < weights_.size(); ++half) {
     const std::vector<double> wanted = in_proportion(weights_[half], pixels_, mean, least);
     for (std::size_t tile = 0; tile < counts.size(); ++tile) {
+      if (pixels_[tile] == 0) continue;
       // Even numbers, so that unequal counts differ by more than one sample; see FilmTile::mean.
       counts[tile][half] = static_cast<std::uint32_t>(std::min(Most, wanted[tile])) / 2 * 2;
     }

@@ -26,7 +26,7 @@ class AdaptiveSampling {
   static constexpr int PilotSamples = 32;
   static constexpr double MinFraction = 0.25;
 
-  /// The film must hold the pilot's spreads.
+  /// The film must hold the pilot's spreads. Tiles without samples get none, as in a probe of the image.
   explicit AdaptiveSampling(const Film& film);
 
   /// Sample counts per tile for a mean of at most `samples` per pixel, which must be at least PilotSamples.

@@ -382,23 +382,23 @@ double freedom_of(const ErrorSums& sums, const Supplement& touched, double outli
 
 }  // namespace
 
-ErrorSums& ErrorSums::add(const ErrorSums& other, double sign) {
-  values += sign * other.values;
-  errors += sign * other.errors;
-  squares += sign * other.squares;
-  possible.errors += sign * other.possible.errors;
-  possible.squares += sign * other.possible.squares;
-  denominator_uncertainty += sign * other.denominator_uncertainty;
-  touched.errors += sign * other.touched.errors;
-  touched.logarithms += sign * other.touched.logarithms;
-  touched.bounds += sign * other.touched.bounds;
-  touched.unseen += sign * other.touched.unseen;
-  outliers.count += sign * other.outliers.count;
-  outliers.agreement += sign * other.outliers.agreement;
-  outliers.steady += sign * other.outliers.steady;
-  outliers.on_black += sign * other.outliers.on_black;
-  outliers.own += sign * other.outliers.own;
-  outliers.neighbours += sign * other.outliers.neighbours;
+ErrorSums& ErrorSums::add(const ErrorSums& other, double factor) {
+  values += factor * other.values;
+  errors += factor * other.errors;
+  squares += factor * other.squares;
+  possible.errors += factor * other.possible.errors;
+  possible.squares += factor * other.possible.squares;
+  denominator_uncertainty += factor * other.denominator_uncertainty;
+  touched.errors += factor * other.touched.errors;
+  touched.logarithms += factor * other.touched.logarithms;
+  touched.bounds += factor * other.touched.bounds;
+  touched.unseen += factor * other.touched.unseen;
+  outliers.count += factor * other.outliers.count;
+  outliers.agreement += factor * other.outliers.agreement;
+  outliers.steady += factor * other.outliers.steady;
+  outliers.on_black += factor * other.outliers.on_black;
+  outliers.own += factor * other.outliers.own;
+  outliers.neighbours += factor * other.outliers.neighbours;
   return *this;
 }
 

@@ -47,9 +47,11 @@ struct ErrorSums {
 
   ErrorSums& operator+=(const ErrorSums& other) { return add(other, 1); }
   ErrorSums operator-(const ErrorSums& other) const { return ErrorSums(*this).add(other, -1); }
+  /// The sums of this many such images, or of this fraction of the image.
+  ErrorSums operator*(double factor) const { return ErrorSums().add(*this, factor); }
 
  private:
-  ErrorSums& add(const ErrorSums& other, double sign);
+  ErrorSums& add(const ErrorSums& other, double factor);
 };
 
 /// An estimate of an image's error from its own samples: sqrt(relMSE) with relMSE = mean((image - truth)^2 /

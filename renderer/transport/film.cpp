@@ -8,6 +8,11 @@
 namespace transport {
 namespace {
 
+/// The variance of the tiles' squared errors, relative to their squared mean, that a sample of them does not
+/// show: the few tiles with most of an image's error are likely to be missed. With this, 90 % of the errors
+/// of images of 25 scenes were within 1.645 deviations of that of 24 of 192 or 256 tiles.
+constexpr double UnseenTileVariance = 2;
+
 bool has_both_halves(const FilmTile::Counts& counts) { return counts[0] > 0 && counts[1] > 0; }
 
 /// Whether all samples have the same weight.
@@ -177,13 +182,42 @@ ErrorSums Film::sums_with_neighbours(int tile) const {
   return transport::error_sums_of(moments, bounds);
 }
 
-// Sums in the order of the tiles, so that the result does not depend on the number of threads.
-std::optional<ErrorEstimate> Film::error_estimate() const {
+std::vector<ErrorSums> Film::sums_of_tiles() const {
   std::vector<ErrorSums> parts(tiles_.size());
   parallel::for_each_index(tile_count(), [&](int tile) { parts[index(tile)] = sums_with_neighbours(tile); });
+  return parts;
+}
+
+// Sums in the order of the tiles, so that the result does not depend on the number of threads.
+std::optional<ErrorEstimate> Film::error_estimate() const {
   ErrorSums sums;
-  for (const ErrorSums& part : parts) sums += part;
+  for (const ErrorSums& part : sums_of_tiles()) sums += part;
   return error_estimate_of(sums);
+}
+
+std::optional<Film::SampledError> Film::sampled_error() const {
+  ErrorSums sums;
+  double tiles = 0;
+  double errors = 0;
+  double squares = 0;
+  for (const ErrorSums& part : sums_of_tiles()) {
+    if (!(part.values > 0)) continue;
+    sums += part;
+    const double own = part.errors + part.touched.errors + part.outliers.neighbours;
+    ++tiles;
+    errors += own;
+    squares += own * own;
+  }
+  const double part = tiles / tile_count();
+  const auto estimate = error_estimate_of(sums * (1 / part));
+  if (!estimate) return std::nullopt;
+  // The variance of a mean of some of finitely many values (Cochran 1977, "Sampling techniques", 2.6), of
+  // squared errors: the logarithm of the error varies half as much.
+  const double mean = errors / tiles;
+  if (!(mean > 0)) return SampledError{*estimate, 0};
+  const double variance = tiles > 1 ? (squares - tiles * mean * mean) / (tiles - 1) : 0;
+  const double relative_variance = std::max(0.0, variance) / (mean * mean) + UnseenTileVariance;
+  return SampledError{*estimate, std::sqrt(relative_variance / tiles * (1 - part)) / 2};
 }
 
 std::optional<double> Film::estimated_error() const {

@@ -98,6 +98,14 @@ class Film {
   std::optional<ErrorEstimate> error_estimate() const;
   std::optional<double> estimated_error() const;
 
+  /// The error of an image, estimated from a sample of its tiles.
+  struct SampledError {
+    ErrorEstimate estimate;  ///< as if the whole image had been rendered
+    double deviation = 0;    ///< standard deviation of the error's logarithm due to the choice of tiles
+  };
+  /// Estimates the error of the whole image from the tiles with both halves; empty if there are none.
+  std::optional<SampledError> sampled_error() const;
+
  private:
   struct TileState {
     FilmTile::Counts counts = {};
@@ -110,6 +118,7 @@ class Film {
   bool has_both_halves(int column, int row) const;
   TileBounds with_neighbours(const TileBounds& bounds) const;
   ErrorSums sums_with_neighbours(int tile) const;
+  std::vector<ErrorSums> sums_of_tiles() const;
   template <class Function>
   Image image_of(Function function) const;
 

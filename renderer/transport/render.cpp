@@ -14,16 +14,24 @@ static_assert(std::atomic<bool>::is_always_lock_free, "Render::stop is called fr
 
 constexpr int Pilot = AdaptiveSampling::PilotSamples;
 
-/// Returns the first sample count, not less than this, at which the error is checked.
-int check_from(int samples) {
-  std::int64_t check = 16;
-  while (check < samples) check += std::max<std::int64_t>(4, (check / 5 + 1) / 2 * 2);
-  return static_cast<int>(std::min<std::int64_t>(check, RenderSettings::Unlimited));
-}
-
-/// The value that the target limits: the error, or its upper bound less the margin.
-double error_against_target(const ErrorEstimate& estimate) {
-  return std::max(estimate.error, estimate.high / RenderSettings::ErrorMargin);
+/// Chooses tiles spread evenly over the image: those hit by the points of a rank-1 lattice that is
+/// extensible, the additive recurrence of the plastic number (Roberts 2018, "The unreasonable effectiveness
+/// of quasirandom sequences").
+std::vector<bool> tiles_of_probe(const Film& film, int count) {
+  constexpr double Plastic = 1.32471795724474602596;
+  std::vector<bool> chosen(static_cast<std::size_t>(film.tile_count()), count >= film.tile_count());
+  if (count >= film.tile_count()) return chosen;
+  const auto place = [](int i, double step, int places) {
+    return static_cast<int>(std::fmod(0.5 + i * step, 1.0) * places);
+  };
+  for (int i = 0, left = count; left > 0; ++i) {
+    const int x = place(i, 1 / Plastic, film.tiles_across());
+    const int y = place(i, 1 / (Plastic * Plastic), film.tiles_down());
+    const auto tile = static_cast<std::size_t>(y * film.tiles_across() + x);
+    if (!chosen[tile]) --left;
+    chosen[tile] = true;
+  }
+  return chosen;
 }
 
 }  // namespace
@@ -34,8 +42,14 @@ Render::Render(const CompiledScene& scene, const RenderSettings& settings)
       kernel_(kernel_of(scene, settings.integrator)),
       camera_(relative_to(scene.origin(), settings.view), settings.width, settings.height),
       film_(settings.width, settings.height),
+      is_rendered_(tiles_of_probe(film_, settings.probe ? settings.probe->tiles : film_.tile_count())),
       start_(std::chrono::steady_clock::now()),
-      start_ticks_(processor_ticks()) {}
+      start_ticks_(processor_ticks()),
+      start_process_seconds_(process_seconds()) {
+  for (int tile = 0; tile < film_.tile_count(); ++tile) {
+    if (renders(tile)) pixel_count_ += static_cast<double>(film_.bounds_of(tile).pixel_count());
+  }
+}
 
 void Render::restore(const RenderTotals& totals) {
   totals_ = totals;
@@ -66,7 +80,10 @@ RenderEnd Render::run_stages() {
     samples = stage_from(samples);
     if (samples < settings_.samples && exceeds(samples)) continue;  // an earlier run got beyond this
     if (!run_stage(samples)) return stopped_ ? RenderEnd::Stopped : RenderEnd::Time;
-    if (settings_.target_error && reaches_target(samples)) return RenderEnd::TargetError;
+    if (checks_error()) {
+      const RenderEnd end = check_error(samples);
+      if (end != RenderEnd::NotYet) return end;
+    }
     if (samples == settings_.samples) return RenderEnd::Samples;
   }
 }
@@ -76,15 +93,15 @@ int Render::stage_from(int samples) const {
   int end = settings_.samples;
   if (is_adaptive() && samples <= Pilot) {
     end = samples <= Pilot / 2 ? Pilot / 2 : Pilot;
-  } else if (settings_.target_error || (is_adaptive() && settings_.samples == RenderSettings::Unlimited)) {
-    end = check_from(samples);
+  } else if (checks_error() || (is_adaptive() && settings_.samples == RenderSettings::Unlimited)) {
+    end = error_check_from(samples);
   }
   return std::min(end, settings_.samples);
 }
 
 bool Render::has_pilot() const {
   for (int tile = 0; tile < film_.tile_count(); ++tile) {
-    if (film_.sample_count_of(tile) < static_cast<std::uint32_t>(Pilot)) return false;
+    if (renders(tile) && film_.sample_count_of(tile) < static_cast<std::uint32_t>(Pilot)) return false;
   }
   return true;
 }
@@ -92,7 +109,11 @@ bool Render::has_pilot() const {
 /// Sample counts of each tile for this mean number of samples per pixel.
 std::vector<FilmTile::Counts> Render::counts_at(int samples) const {
   if (adaptive_sampling_ && samples > Pilot) return adaptive_sampling_->counts(samples);
-  return std::vector<FilmTile::Counts>(static_cast<std::size_t>(film_.tile_count()), uniform_counts(samples));
+  std::vector<FilmTile::Counts> counts(static_cast<std::size_t>(film_.tile_count()));
+  for (int tile = 0; tile < film_.tile_count(); ++tile) {
+    if (renders(tile)) counts[static_cast<std::size_t>(tile)] = uniform_counts(samples);
+  }
+  return counts;
 }
 
 /// Whether some tile already has more samples than it would have at this many per pixel.
@@ -121,13 +142,29 @@ std::optional<ErrorEstimate> Render::error_estimate() const {
   return estimate;
 }
 
-bool Render::reaches_target(int samples) {
-  const auto estimate = film_.error_estimate();
-  if (!estimate) return false;
-  const double error = error_against_target(*estimate);
+/// Checks the error after a stage, and returns whether that ends the render.
+RenderEnd Render::check_error(int samples) {
+  const double now = render_clock();
+  const auto sampled = film_.sampled_error();
+  if (!sampled) return RenderEnd::NotYet;
+  const double end = render_clock();
   const std::lock_guard lock(totals_lock_);
-  checks_.push_back({static_cast<double>(samples), error});
-  return error <= *settings_.target_error;
+  const double before = checks_.empty() ? 0 : checks_.back().check_seconds;
+  checks_.push_back({static_cast<double>(samples), sampled->estimate, sampled->deviation, now - before,
+                     before + end - now});
+  if (settings_.probe && end >= settings_.probe->seconds) return RenderEnd::Time;
+  const bool is_reached =
+      settings_.target_error && error_against_target(sampled->estimate) <= *settings_.target_error;
+  return is_reached ? RenderEnd::TargetError : RenderEnd::NotYet;
+}
+
+std::vector<ErrorCheck> Render::checks() const {
+  const std::lock_guard lock(totals_lock_);
+  return checks_;
+}
+
+double Render::rendered_fraction() const {
+  return pixel_count() / (static_cast<double>(settings_.width) * settings_.height);
 }
 
 void Render::work(TileQueue& queue) try {
@@ -282,7 +319,11 @@ double Render::elapsed() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-double Render::pixel_count() const { return static_cast<double>(settings_.width) * settings_.height; }
+/// The time in which checks are measured, in seconds: for a probe, that of the processor per thread.
+double Render::render_clock() const {
+  if (!settings_.probe) return elapsed();
+  return (process_seconds() - start_process_seconds_) / parallel::thread_count();
+}
 
 RenderTotals Render::totals() const {
   const std::lock_guard lock(totals_lock_);
@@ -297,22 +338,71 @@ RenderTotals Render::totals() const {
 
 double Render::samples_per_pixel() const { return static_cast<double>(totals().paths) / pixel_count(); }
 
-/// The convergence exponent of the error: measured by the checks, else that of independent samples.
-double Render::convergence() const {
-  const std::lock_guard lock(totals_lock_);
-  if (checks_.empty()) return 0.5;
-  const Check& last = checks_.back();
-  const auto early = std::find_if(checks_.rbegin(), checks_.rend(),
-                                  [&](const Check& check) { return 2 * check.samples <= last.samples; });
-  if (early == checks_.rend() || !(early->error > 0) || !(last.error > 0)) return 0.5;
-  return std::clamp(std::log(early->error / last.error) / std::log(last.samples / early->samples), 0.5, 1.0);
+/// The forecast from the checks; before the first one, from the error estimate without neighbours.
+std::optional<Forecast> Render::forecast() const {
+  std::vector<ErrorCheck> known = checks();
+  if (known.empty()) {
+    const std::lock_guard lock(totals_lock_);
+    const auto estimate = error_estimate_of(error_sums_);
+    const double samples = static_cast<double>(totals_.paths) / pixel_count();
+    if (!estimate || samples < 2) return std::nullopt;
+    known.push_back({samples, *estimate});
+  }
+  const auto convergence = is_adaptive()                                     ? Convergence::Adaptive
+                           : settings_.pattern == SamplePattern::Independent ? Convergence::Independent
+                                                                             : Convergence::Sobol;
+  return Forecast(std::move(known), convergence);
 }
 
-/// The samples needed to reach the target or the last sample, whichever comes first.
-double Render::samples_needed(double samples, const std::optional<ErrorEstimate>& estimate) const {
-  if (!settings_.target_error || !estimate) return settings_.samples;
-  const double ratio = std::max(1.0, error_against_target(*estimate) / *settings_.target_error);
-  return std::min<double>(settings_.samples, samples * std::pow(ratio, 1 / convergence()));
+std::vector<TargetForecast> Render::forecasts(const std::vector<double>& target_errors) const {
+  const auto forecast = this->forecast();
+  const auto cost = this->cost();
+  if (!forecast || !cost) return {};
+  std::vector<TargetForecast> forecasts;
+  for (const double target : target_errors) {
+    const ForecastValue samples = forecast->samples_for(target);
+    forecasts.push_back({target, samples, cost->seconds_for(samples)});
+  }
+  return forecasts;
+}
+
+/// The cost of the whole image; empty before the first sample, or the first check of a probe.
+std::optional<RenderCost> Render::cost() const {
+  const std::vector<ErrorCheck> checks = this->checks();
+  if (settings_.probe) {
+    if (checks.empty()) return std::nullopt;
+    const auto tiles = std::count(is_rendered_.begin(), is_rendered_.end(), true);
+    return cost_of_image(checks, static_cast<int>(tiles), rendered_fraction());
+  }
+  const RenderTotals now = totals();
+  const double samples = static_cast<double>(now.paths) / pixel_count();
+  if (!(samples > 0)) return std::nullopt;
+  RenderCost cost;
+  cost.samples = samples;
+  cost.seconds = now.seconds;
+  cost.seconds_per_sample = now.seconds / samples;
+  return cost;
+}
+
+/// The samples needed to reach the target or the last sample, whichever comes first. Forecasts take
+/// milliseconds, and progress is asked for often.
+ForecastValue Render::samples_needed(double samples) const {
+  const auto limit = static_cast<double>(settings_.samples);
+  if (!settings_.target_error) return {limit, limit, limit};
+  const std::vector<ErrorCheck> known = checks();
+  const double basis = known.empty() ? samples : known.back().samples;
+  {
+    const std::lock_guard lock(totals_lock_);
+    if (needed_ && (known.empty() ? basis < 1.2 * needed_->basis : basis == needed_->basis))
+      return needed_->samples;
+  }
+  const auto forecast = this->forecast();
+  if (!forecast) return {limit, limit, limit};
+  const ForecastValue needed = forecast->samples_for(*settings_.target_error);
+  const std::lock_guard lock(totals_lock_);
+  needed_ = {basis,
+             {std::min(limit, needed.median), std::min(limit, needed.low), std::min(limit, needed.high)}};
+  return needed_->samples;
 }
 
 RenderProgress Render::progress() const {
@@ -334,10 +424,11 @@ RenderProgress Render::progress() const {
     return progress;
   }
   const double samples = static_cast<double>(totals.paths) / pixel_count();
-  const double needed = samples_needed(samples, estimate);
-  progress.done = std::min(1.0, samples / needed);
-  if (samples > restored && needed < RenderSettings::Unlimited) {
-    progress.seconds_left = (needed - samples) * elapsed() / (samples - restored);
+  const ForecastValue needed = samples_needed(samples);
+  progress.done = std::min(1.0, samples / needed.median);
+  if (samples > restored && needed.median < RenderSettings::Unlimited) {
+    const double seconds_per_sample = elapsed() / (samples - restored);
+    progress.seconds_left = std::max(0.0, needed.median - samples) * seconds_per_sample;
   }
   if (settings_.max_seconds && end == RenderEnd::NotYet) {
     const double left = std::max(0.0, *settings_.max_seconds - elapsed());
@@ -350,7 +441,8 @@ RenderProgress Render::progress() const {
 Snapshot Render::snapshot(bool with_variance) const {
   Snapshot snapshot;
   snapshot.mean = {settings_.width, settings_.height,
-                   std::vector<Rgb>(static_cast<std::size_t>(pixel_count()))};
+                   std::vector<Rgb>(static_cast<std::size_t>(settings_.width) *
+                                    static_cast<std::size_t>(settings_.height))};
   if (with_variance) snapshot.variance = snapshot.mean;
   FilmTile tile;
   for (int i = 0; i < film_.tile_count(); ++i) {

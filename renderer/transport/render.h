@@ -12,6 +12,7 @@
 #include "renderer/transport/adaptive_sampling.h"
 #include "renderer/transport/camera.h"
 #include "renderer/transport/film.h"
+#include "renderer/transport/forecast.h"
 #include "renderer/transport/integrators/kernel.h"
 #include "renderer/transport/tile_queue.h"
 
@@ -24,11 +25,17 @@ enum class PixelSampling {
   Centre,   ///< all at the centre
 };
 
+/// A probe renders a sample of an image's tiles, in order to forecast the render of the whole image.
+struct ProbeSettings {
+  int tiles = 0;       ///< at most; they are spread evenly over the image
+  double seconds = 0;  ///< processor time per thread: the probe ends at its first error check after that
+};
+
 struct RenderSettings {
   /// No sample limit: rendering stops on time or error.
   static constexpr int Unlimited = std::numeric_limits<int>::max();
   /// How far the 97.5 % bound may exceed the target error.
-  static constexpr double ErrorMargin = 1.15;
+  static constexpr double ErrorMargin = TargetErrorMargin;
 
   int width = 500;
   int height = 400;
@@ -41,6 +48,7 @@ struct RenderSettings {
   /// Stops once the estimated error is at most this, and its upper bound at most `ErrorMargin` times this.
   std::optional<double> target_error;
   std::optional<double> max_seconds;  ///< stops after this time, with the samples so far
+  std::optional<ProbeSettings> probe;
   PixelSampling pixel_sampling = PixelSampling::Sobol;
   int grid_columns = 1;  ///< for a regular placing; the rows follow from the samples
   SamplePattern pattern = SamplePattern::Sobol;
@@ -67,6 +75,7 @@ struct RenderProgress {
   double seconds = 0;
   std::optional<double> seconds_left;     ///< empty while unknown
   std::optional<double> estimated_error;  ///< empty while there are no two halves
+  std::vector<TargetForecast> forecasts;  ///< of a render with a target error, if asked for
 };
 
 /// An image at some moment of its render.
@@ -135,6 +144,14 @@ class Render {
   /// returned.
   std::optional<ErrorEstimate> error_estimate() const;
 
+  /// The error checks so far: of a render with a target error, or a probe.
+  std::vector<ErrorCheck> checks() const;
+  /// The part of the image's pixels that is rendered: less than 1 for a probe.
+  double rendered_fraction() const;
+  /// Forecasts the render of the whole image until each of these errors, without a limit of samples or time,
+  /// in seconds of rendering from its start. Empty while too little is known.
+  std::vector<TargetForecast> forecasts(const std::vector<double>& target_errors) const;
+
  private:
   RenderEnd run_stages();
   bool is_adaptive() const { return settings_.adaptive && settings_.pixel_sampling == PixelSampling::Sobol; }
@@ -143,7 +160,8 @@ class Render {
   bool exceeds(int samples) const;
   bool has_pilot() const;
   bool run_stage(int samples);
-  bool reaches_target(int samples);
+  bool checks_error() const { return settings_.target_error || settings_.probe; }
+  RenderEnd check_error(int samples);
   void work(TileQueue& queue);
   bool render_tile(const TileWork& work, FilmTile& tile);
   void render_pixel(const TileWork& work, int x, int y, FilmTile& tile, RenderTotals& done,
@@ -156,14 +174,17 @@ class Render {
   std::optional<Rgb> backplate_at(float x, float y) const;
   bool ends_early();
   double elapsed() const;
-  double pixel_count() const;
-  double convergence() const;
-  double samples_needed(double samples, const std::optional<ErrorEstimate>& estimate) const;
+  double render_clock() const;
+  double pixel_count() const { return pixel_count_; }
+  std::optional<Forecast> forecast() const;
+  std::optional<RenderCost> cost() const;
+  ForecastValue samples_needed(double samples) const;
+  bool renders(int tile) const { return is_rendered_[static_cast<std::size_t>(tile)]; }
 
-  /// The result of an error check.
-  struct Check {
-    double samples = 0;
-    double error = 0;
+  /// The samples to the end, as forecast when there were so many.
+  struct SamplesNeeded {
+    double basis = 0;
+    ForecastValue samples;
   };
 
   std::mutex& lock_of(int tile) const {
@@ -175,11 +196,14 @@ class Render {
   Kernel kernel_;
   Camera camera_;
   Film film_;
+  std::vector<bool> is_rendered_;                      ///< by tile
+  double pixel_count_ = 0;                             ///< of these tiles
   std::optional<AdaptiveSampling> adaptive_sampling_;  ///< set once the pilot is done
   /// Held while a tile of the film is copied or put back: for about a microsecond every few milliseconds.
   mutable std::array<std::mutex, 64> tile_locks_;
   const std::chrono::steady_clock::time_point start_;
   const std::uint64_t start_ticks_;
+  const double start_process_seconds_;
   std::atomic<bool> stopped_ = false;
   std::atomic<bool> out_of_time_ = false;
   std::atomic<RenderEnd> end_ = RenderEnd::NotYet;
@@ -189,7 +213,8 @@ class Render {
   std::uint64_t restored_paths_ = 0;
   std::uint64_t sampling_ticks_ = 0;
   ErrorSums error_sums_;  ///< approximately the film's, in the order in which tiles were done
-  std::vector<Check> checks_;
+  std::vector<ErrorCheck> checks_;
+  mutable std::optional<SamplesNeeded> needed_;
 };
 
 }  // namespace transport

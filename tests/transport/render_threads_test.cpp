@@ -190,6 +190,22 @@ TEST(MaxTime, StopsWithWhatThereIs) {
   EXPECT_EQ(render.progress().seconds_left, 0);
 }
 
+TEST(Progress, ForecastsAsTheChecksDo) {
+  const auto scene = test::scene_of(test::LitFloor);
+  RenderSettings until = settings(RenderSettings::Unlimited);
+  until.target_error = 0.004;
+  Render render(scene, until);
+  EXPECT_TRUE(render.forecasts({0.01}).empty()) << "nothing is known";
+  render.run();
+  const double needed = render.checks().back().samples;
+  const auto forecasts = render.forecasts({0.02, 0.004, 0.001});
+  ASSERT_EQ(forecasts.size(), 3U);
+  EXPECT_EQ(forecasts[1].samples.median, needed) << "it was reached";
+  EXPECT_LE(forecasts[0].samples.median, needed);
+  EXPECT_GT(forecasts[2].samples.low, needed);
+  EXPECT_NEAR(forecasts[1].seconds.median, render.seconds(), 0.01 * render.seconds());
+}
+
 TEST(Progress, KnowsTheTimeToATarget) {
   const auto scene = test::scene_of(test::LitFloor);
   RenderSettings until = settings(RenderSettings::Unlimited);
@@ -207,6 +223,77 @@ TEST(Progress, KnowsTheTimeToATarget) {
   EXPECT_LT(*progress.seconds_left, 2 * ratio * ratio * progress.seconds);
   EXPECT_EQ(render.end(), RenderEnd::Stopped);
   EXPECT_LT(render.progress().done, 1);
+}
+
+RenderSettings probe_settings() {
+  RenderSettings probe = settings(RenderSettings::Unlimited);
+  probe.width = 160;  // 10 x 8 tiles
+  probe.height = 128;
+  probe.probe = {20, 0};
+  return probe;
+}
+
+TEST(Probe, RendersSomeTilesSpreadOverTheImage) {
+  const auto scene = test::scene_of(test::LitFloor);
+  Render probe(scene, probe_settings());
+  probe.run();
+  EXPECT_EQ(probe.end(), RenderEnd::Time);
+  ASSERT_EQ(probe.checks().size(), 1U) << "the first one after the time";
+  EXPECT_EQ(probe.samples_per_pixel(), 16);
+  EXPECT_EQ(probe.rendered_fraction(), 0.25);
+  std::array<int, 4> in_quarter = {};
+  for (int tile = 0; tile < 80; ++tile) {
+    const std::uint32_t samples = probe.film().sample_count_of(tile);
+    EXPECT_TRUE(samples == 0 || samples == 16) << samples;
+    const int quarter = tile % 10 / 5 + 2 * (tile / 40);
+    in_quarter[static_cast<std::size_t>(quarter)] += samples > 0 ? 1 : 0;
+  }
+  for (const int tiles : in_quarter) EXPECT_NEAR(tiles, 5, 2);
+}
+
+TEST(Probe, EstimatesTheErrorAndTheCostOfTheWholeImage) {
+  RenderSettings all = probe_settings();
+  all.probe->seconds = 0.05;
+  Render probe(uneven_scene(), all);
+  probe.run();
+  all.probe->tiles = 80;
+  all.probe->seconds = 0;
+  Render whole(uneven_scene(), all);
+  whole.run();
+  ASSERT_EQ(whole.rendered_fraction(), 1);
+  const transport::ErrorCheck part = probe.checks().front();
+  const transport::ErrorCheck truth = whole.checks().front();
+  EXPECT_EQ(truth.sampling_deviation, 0);
+  EXPECT_GT(part.sampling_deviation, 0.01);
+  EXPECT_LT(std::abs(std::log(part.estimate.error / truth.estimate.error)),
+            3 * part.sampling_deviation + 0.05);
+  // As if the error were spread over the whole image: the interval is no wider than that of all tiles.
+  EXPECT_NEAR(std::log(part.estimate.high / part.estimate.low),
+              std::log(truth.estimate.high / truth.estimate.low), 0.2);
+  EXPECT_GT(part.seconds / probe.rendered_fraction(), truth.seconds / 3);
+  EXPECT_LT(part.seconds / probe.rendered_fraction(), truth.seconds * 3);
+}
+
+TEST(Probe, SamplesAdaptivelyAsTheImageDoes) {
+  RenderSettings adaptive = probe_settings();
+  adaptive.adaptive = true;
+  adaptive.samples = 100;
+  adaptive.probe->seconds = 1e9;
+  Render probe(uneven_scene(), adaptive);
+  probe.run();
+  EXPECT_EQ(probe.end(), RenderEnd::Samples);
+  EXPECT_LE(probe.samples_per_pixel(), 100);
+  EXPECT_GE(probe.samples_per_pixel(), 94);
+  std::set<std::uint32_t> counts;
+  int tiles = 0;
+  for (int tile = 0; tile < 80; ++tile) {
+    const std::uint32_t samples = probe.film().sample_count_of(tile);
+    if (samples > 0) counts.insert(samples);
+    tiles += samples > 0 ? 1 : 0;
+  }
+  EXPECT_EQ(tiles, 20);
+  EXPECT_GE(*counts.begin(), 32U);
+  EXPECT_GT(counts.size(), 3U);
 }
 
 TEST(RejectedSamples, AreCountedWithTheFirstPixel) {

@@ -22,6 +22,7 @@
 #include "editor/panels/texture_row.h"
 #include "editor/panels/uv_panel.h"
 #include "editor/panels/uv_view.h"
+#include "editor/rendering/forecast_row.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_windows.h"
 #include "editor/window/risk_dialog.h"
@@ -56,6 +57,9 @@ QPixmap render_window() {
   Stage stage;
   stage.open_as_rendered(Samples + "plaza/plaza.grf");
   stage.preview({480, 320}, 48);
+  const auto& forecast = *stage.window().findChild<editor::ForecastRow*>();
+  expect(QTest::qWaitFor([&] { return forecast.forecasts().front().seconds.has_value(); }, 5 * Minute),
+         "the render was not forecast");
   return stage.picture();
 }
 

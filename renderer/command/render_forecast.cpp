@@ -1,0 +1,178 @@
+#include "renderer/command/render_forecast.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/command/json_values.h"
+#include "renderer/command/render_progress.h"
+#include "renderer/command/render_run.h"
+#include "renderer/job/camera_path.h"
+#include "renderer/job/render_job.h"
+#include "renderer/parallel/loops.h"
+
+namespace command {
+namespace {
+
+using grf::Diagnostics;
+using grf::ExitCode;
+using options::RenderOptions;
+using transport::ForecastValue;
+using transport::Render;
+using transport::RenderSettings;
+using transport::TargetForecast;
+
+/// The tiles and samples per pixel of the short render that measures how fast the probe will be.
+constexpr int TrialTiles = 16;
+constexpr int TrialSamples = 4;
+/// The samples per pixel that a probe aims at, rather than at more tiles: the exponent of the error's
+/// convergence shows over a factor of some samples only.
+constexpr double ProbeSamples = 100;
+/// The fewest tiles of a probe, of an image that has so many: the error of an image is spread unevenly.
+constexpr int LeastTiles = 24;
+/// The fewest error checks for a forecast before the end of the probe.
+constexpr std::size_t FewestChecks = 3;
+
+RenderSettings without_limits(RenderSettings settings) {
+  settings.samples = RenderSettings::Unlimited;
+  settings.target_error.reset();
+  settings.max_seconds.reset();
+  return settings;
+}
+
+/// A short render that measures the cost of a path, and the probe, which is sized by that.
+struct Probe {
+  std::optional<Render> trial;
+  std::optional<Render> render;
+};
+
+/// Shows the forecasts of a probe that is still running: where other programs are busy, it takes long.
+void show_progress(const Render& probe, const std::optional<double>& target_error, double seconds,
+                   ProgressReport& report) {
+  if (!report.is_due()) return;
+  const std::vector<transport::ErrorCheck> checks = probe.checks();
+  if (checks.size() < FewestChecks) return;
+  transport::RenderProgress progress;
+  progress.seconds = checks.back().seconds;
+  progress.done = std::min(0.99, progress.seconds / seconds);
+  progress.estimated_error = checks.back().estimate.error;
+  if (report.has_forecasts()) {
+    progress.forecasts = probe.forecasts(transport::forecast_targets(target_error));
+  }
+  report.show(progress);
+}
+
+/// Renders a probe that takes about this many seconds of the processor per thread, unless a signal stops it.
+void run_probe(const job::RenderJob& job, double seconds, SignalHandler& signal_handler,
+               ProgressReport& report, Probe& probe) {
+  RenderSettings settings = without_limits(job.settings);
+  settings.probe = {TrialTiles, seconds};
+  settings.samples = TrialSamples;
+  probe.trial.emplace(job.scene, settings);
+  run_watched(*probe.trial, signal_handler, [] {});
+  if (signal_handler.was_signalled()) return;
+  const transport::ErrorCheck trial = probe.trial->checks().back();
+  const int all = probe.trial->film().tile_count();
+  const double seconds_per_tile = trial.seconds / trial.samples / std::min(TrialTiles, all);
+  const double affordable = (seconds - trial.seconds) / (seconds_per_tile * ProbeSamples);
+  settings.probe = {static_cast<int>(std::clamp<double>(affordable, std::min(LeastTiles, all), all)),
+                    seconds - trial.seconds};
+  settings.samples = RenderSettings::Unlimited;
+  probe.render.emplace(job.scene, settings);
+  run_watched(*probe.render, signal_handler,
+              [&] { show_progress(*probe.render, job.settings.target_error, seconds, report); });
+}
+
+struct ForecastReport {
+  std::string scene;
+  const Render& probe;
+  double setup_seconds = 0;
+  int frames = 1;
+  bool is_one_line = false;  ///< of JSON
+  std::vector<TargetForecast> forecasts;
+
+  int threads() const {
+    const int given = probe.settings().threads;
+    return given > 0 ? given : tbb::info::default_concurrency();
+  }
+};
+
+void print_json(const ForecastReport& report) {
+  const transport::ErrorCheck check = report.probe.checks().back();
+  nlohmann::ordered_json object;
+  object["width"] = report.probe.settings().width;
+  object["height"] = report.probe.settings().height;
+  object["frames"] = report.frames;
+  object["threads"] = report.threads();
+  object["setup_seconds"] = report.setup_seconds;
+  object["probe"] = {{"seconds", check.seconds + check.check_seconds},
+                     {"fraction", report.probe.rendered_fraction()},
+                     {"samples", check.samples},
+                     {"estimated_error", check.estimate.error},
+                     {"estimated_error_interval", {check.estimate.low, check.estimate.high}}};
+  object["probability"] = transport::Forecast::Coverage;
+  object["forecasts"] = json_of(report.forecasts);
+  fmt::print("{}\n", object.dump(report.is_one_line ? -1 : 2));
+}
+
+std::string time_text(double seconds) { return std::isfinite(seconds) ? duration_text(seconds) : "never"; }
+
+void print_text(const ForecastReport& report) {
+  const RenderSettings& settings = report.probe.settings();
+  fmt::print("{}: {}x{} pixels, {} threads, setup {}{}\n", report.scene, settings.width, settings.height,
+             report.threads(), duration_text(report.setup_seconds),
+             report.frames > 1 ? fmt::format(", each of {} frames:", report.frames) : "");
+  for (const TargetForecast& forecast : report.forecasts) {
+    fmt::print("  error {:>4.3g} %: {} (with {:.0f} % probability {} to {}), {:.3g} samples per pixel\n",
+               100 * forecast.target_error, time_text(forecast.seconds.median),
+               100 * transport::Forecast::Coverage, time_text(forecast.seconds.low),
+               time_text(forecast.seconds.high), forecast.samples.median);
+  }
+}
+
+/// Reports an error if the number of samples determines where they are.
+bool can_forecast(const RenderSettings& settings, Diagnostics& diagnostics) {
+  if (settings.pixel_sampling == transport::PixelSampling::Sobol) return true;
+  diagnostics.error(
+      {},
+      "cannot forecast the error of a render whose samples are not random in the pixel: with the "
+      "integrator naive, BPT_Pixel_Random is needed, without BPT_Pixel_Radial and BPT_RayCasting");
+  return false;
+}
+
+}  // namespace
+
+ExitCode forecast(const RenderArguments& arguments, RenderOptions render_options, const Diagnostics& before) {
+  const auto start = std::chrono::steady_clock::now();
+  Probe probe;
+  SignalHandler signal_handler;  // destroyed before the renders that it stops
+  Diagnostics diagnostics = before;
+  const std::vector<int> frames = job::frames_of(render_options);
+  if (!frames.empty()) render_options.frame = frames.front();
+  const auto job = job::render_job(render_options, diagnostics);
+  const bool is_possible = job && can_forecast(job->settings, diagnostics);
+  fmt::print(stderr, "{}", diagnostics.to_text());
+  if (!is_possible) return ExitCode::BadInput;
+  const double setup_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  ProgressReport progress(progress_style_of(arguments.progress));
+  run_probe(*job, arguments.forecast_seconds, signal_handler, progress, probe);
+  if (signal_handler.was_signalled()) return ExitCode::Interrupted;
+  const ForecastReport report = {
+      arguments.scene,
+      *probe.render,
+      setup_seconds,
+      std::max(1, static_cast<int>(frames.size())),
+      arguments.progress == "json",
+      probe.render->forecasts(transport::forecast_targets(job->settings.target_error))};
+  arguments.json ? print_json(report) : print_text(report);
+  return ExitCode::Done;
+}
+
+}  // namespace command
