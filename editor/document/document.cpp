@@ -145,6 +145,7 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   origin_ = revision();
   state_ = {};
   saved_state_ = {};
+  removed_faces_.clear();
   set_saved(origin_);
   path_ = path;
   diagnostics_ = std::move(diagnostics);
@@ -419,7 +420,10 @@ void Document::show_change(const Change& change, const QByteArray* selection,
 
 /// Returns whether the state differs now.
 bool Document::carry_state_over(const SceneObjects& before) {
-  EditorState carried = state_.carried_over(FaceCorrespondence(before, *objects_));
+  const FaceCorrespondence correspondence(before, *objects_);
+  EditorState carried = state_.carried_over(correspondence);
+  if (state_.hidden.fits(before)) removed_faces_.remember(state_, before, correspondence);
+  removed_faces_.restore(carried, *objects_, correspondence);
   if (carried == state_) return false;
   state_ = std::move(carried);
   return true;

@@ -50,7 +50,7 @@ class Document : public QObject {
   /// The paths of the selected objects; the last one is the active one. Each leads to a block of the scene.
   const std::vector<grf::ScenePath>& selected_objects() const { return *selected_objects_; }
   /// The hidden, locked and named faces, of `objects`. They are no undo steps: an edit, undo or redo keeps
-  /// those of meshes that are there before and after it.
+  /// those of meshes that are there before and after it, and those of a removed mesh come back with it.
   const EditorState& editor_state() const { return state_; }
   /// The file that the scene was read from or saved to; empty if there is none.
   const QString& path() const { return path_; }
@@ -166,6 +166,7 @@ class Document : public QObject {
   QByteArray packed_selection_;  ///< of `selection_`; empty until a step needs it
   EditorState state_;
   EditorState saved_state_;  ///< that of its file
+  RemovedFaces removed_faces_;
   grf::Shared<std::vector<grf::ScenePath>> selected_objects_;
   QString path_;
   grf::Diagnostics diagnostics_;
