@@ -108,4 +108,17 @@ ImageLayer layer_of(std::string name, std::string channels, const Image& image) 
   return {std::move(name), std::move(channels), {first, first + 3 * image.pixels.size()}};
 }
 
+Image image_of(const ImageLayer& layer, int width, int height) {
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const std::size_t channels = std::max<std::size_t>(1, layer.channels.size());
+  Image image{width, height, std::vector<reflectance::Rgb>(pixels, reflectance::Rgb(0))};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const float* values = &layer.values[i * channels];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (channels == 1 || k < channels) image.pixels[i][static_cast<int>(k)] = values[channels == 1 ? 0 : k];
+    }
+  }
+  return image;
+}
+
 }  // namespace transport
