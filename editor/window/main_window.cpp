@@ -321,8 +321,8 @@ void MainWindow::connect_renders() {
   // Starting a render shows its dock.
   const auto show_render = [this] { Docks::show(render_dock_); };
   connect(render_->preview_action(), &QAction::triggered, this, show_render);
-  for (const QAction* action :
-       {render_->render_action(), render_->cameras_action(), render_->animation_action()}) {
+  for (const QAction* action : {render_->render_action(), render_->cameras_action(),
+                                render_->effects_action(), render_->animation_action()}) {
     connect(action, &QAction::triggered, this, show_render);
   }
   connect(render_, &RenderPanel::preview_starting, this, &MainWindow::light_first_preview);
