@@ -34,6 +34,7 @@ ObjectActions::ObjectActions(Document& document, SceneView& view, QWidget& windo
   make_options();
   make_placements();
   make_structure();
+  make_moves();
   make_alignments();
   connect(gizmo_, &GizmoInput::transform_made, this, &ObjectActions::apply);
   connect(gizmo_, &GizmoInput::status_message, this, &ObjectActions::status_message);
@@ -215,6 +216,30 @@ void ObjectActions::make_structure() {
                     })};
 }
 
+void ObjectActions::make_moves() {
+  const auto shift = [this](int step) {
+    return [this, step](grf::Diagnostics&) {
+      return std::optional(shift_objects(document_.scene(), document_.selected_objects(), step));
+    };
+  };
+  moves_ = {
+      add_placement(tr("Move up in the list"), QKeySequence("Alt+Up"),
+                    tr("Move the selected objects up by one place in the list of the scene"), shift(-1)),
+      add_placement(tr("Move down in the list"), QKeySequence("Alt+Down"),
+                    tr("Move the selected objects down by one place in the list of the scene"), shift(1)),
+      add_placement(tr("Move out of the group"), QKeySequence("Alt+Left"),
+                    tr("Move the selected objects out of their group, behind it; they stay in place"),
+                    [this](grf::Diagnostics& diagnostics) {
+                      return move_out_of_group(document_.scene(), document_.selected_objects(), diagnostics);
+                    }),
+      add_placement(tr("Move into the group above"), QKeySequence("Alt+Right"),
+                    tr("Move the selected objects into the group above them in the list; they stay in "
+                       "place"),
+                    [this](grf::Diagnostics& diagnostics) {
+                      return move_into_group(document_.scene(), document_.selected_objects(), diagnostics);
+                    })};
+}
+
 void ObjectActions::make_alignments() {
   const auto add = [this](int axis, Alignment alignment, const QString& what) {
     alignments_.append(add_placement(
@@ -242,7 +267,7 @@ void ObjectActions::make_alignments() {
 void ObjectActions::update_target() {
   const std::vector<grf::ScenePath>& selected = document_.selected_objects();
   const bool has_objects = !selected.empty();
-  for (QAction* action : gestures_ + placements_ + structure_ + mirrors_ + alignments_)
+  for (QAction* action : gestures_ + placements_ + structure_ + moves_ + mirrors_ + alignments_)
     action->setEnabled(has_objects);
   if (!has_objects) return gizmo_->set_target(std::nullopt);
   GizmoTarget target;
@@ -301,6 +326,7 @@ void ObjectActions::fill(QMenu& menu) {
   menu.addActions(options_);
   menu.addSeparator();
   menu.addActions(structure_);
+  add_menu(tr("Order in t&he list"), moves_);
   menu.addSeparator();
   menu.addActions(placements_);
   add_menu(tr("M&irror"), mirrors_);

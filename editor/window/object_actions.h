@@ -55,6 +55,7 @@ class ObjectActions : public QObject {
   void make_placements();
   QAction* add_placement(const QString& text, const QKeySequence& keys, const QString& tip, const Edit& edit);
   void make_structure();
+  void make_moves();
   void make_alignments();
   void update_target();
   void apply(const TransformAction& action);
@@ -68,7 +69,8 @@ class ObjectActions : public QObject {
   PivotPoint pivot_ = PivotPoint::Centre;
   bool is_local_ = false;
   QActionGroup* gizmos_;
-  QList<QAction*> additions_, gestures_, pivots_, options_, placements_, structure_, mirrors_, alignments_;
+  QList<QAction*> additions_, gestures_, pivots_, options_, placements_, structure_, moves_, mirrors_,
+      alignments_;
 };
 
 }  // namespace editor
