@@ -113,6 +113,9 @@ class Document : public QObject {
   bool transform_selected(const QString& text, const TransformAction& action);
   /// Replaces the scene by one in which the selected objects have other paths.
   void replace_objects(const QString& text, TransformedObjects edited, const QString& key = {});
+  /// Edits the objects of the last step, which becomes the step to the edited scene: a new object got other
+  /// parameters. Not after the scene was saved.
+  void amend_objects(const QString& text, TransformedObjects edited);
   /// Ends the merging of steps: a slider was released.
   void finish_gesture();
 
@@ -145,7 +148,7 @@ class Document : public QObject {
   void set_saved(std::optional<std::uint64_t> revision);
   void tell_of_places(std::size_t places);
   void push(const QString& text, ScenePatch patch, const QString& key,
-            const std::optional<std::vector<grf::ScenePath>>& objects = std::nullopt);
+            const std::optional<std::vector<grf::ScenePath>>& objects = std::nullopt, bool amends = false);
   void set_background(const grf::Vec3f& radiance);
   void light_by_plain_sky();
   bool take_plain_sky();

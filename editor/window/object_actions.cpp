@@ -73,6 +73,7 @@ void ObjectActions::add_shape(PrimitiveShape::Kind kind) {
   const PrimitiveShape shape = shape_of_size(kind, proportionate_size(objects.mesh_bounds));
   document_.replace_objects(tr("Add %1").arg(QString::fromUtf8(name_of(kind).data())),
                             add_mesh(document_.scene(), objects, mesh_of(shape), {centre.x, 0, centre.z}));
+  emit shape_added(shape);
 }
 
 void ObjectActions::make_gizmos() {

@@ -42,6 +42,8 @@ class ObjectActions : public QObject {
   /// normal or upright.
   void surface_requested(bool is_along_normal);
   void status_message(const QString& text);
+  /// Emitted after a shape was added and selected, with its parameters.
+  void shape_added(const editor::PrimitiveShape& shape);
 
  private:
   using Kind = grf::TransformStep::Kind;
