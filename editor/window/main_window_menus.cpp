@@ -159,7 +159,7 @@ void MainWindow::make_scene_menu() {
   uv_->set_menu(coordinates);
   menu->addSeparator();
   menu->addAction(new_action(*this,
-                             {tr("&Bake irradiance"), "bake", QKeySequence("Ctrl+Alt+B"),
+                             {tr("Ba&ke irradiance"), "bake", QKeySequence("Ctrl+Alt+B"),
                               tr("Bake the irradiance at all vertices and store it in the scene")},
                              [this] { bake_->bake(); }));
 }

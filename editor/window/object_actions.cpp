@@ -54,7 +54,7 @@ void ObjectActions::make_additions() {
   add(Shape::Plane, tr("Add a &plane"), tr("Add a square that faces up, on the floor at the orbit centre"));
   add(Shape::Box, tr("Add a &box"), tr("Add a cube on the floor at the orbit centre"));
   add(Shape::Sphere, tr("Add a &sphere"), tr("Add a sphere on the floor at the orbit centre"));
-  add(Shape::Cylinder, tr("Add a &cylinder"), tr("Add a closed cylinder on the floor at the orbit centre"));
+  add(Shape::Cylinder, tr("Add a c&ylinder"), tr("Add a closed cylinder on the floor at the orbit centre"));
   add(Shape::Disc, tr("Add a &disc"), tr("Add a disc that faces up, on the floor at the orbit centre"));
   add(Shape::Torus, tr("Add a &torus"), tr("Add a torus on the floor at the orbit centre"));
   additions_.append(new_action(
@@ -87,12 +87,12 @@ void ObjectActions::make_gizmos() {
     gizmos_->addAction(action);
     return action;
   };
-  add(tr("&Move gizmo"), "move", QKeySequence("Shift+G"), Kind::Translation,
+  add(tr("Mo&ve gizmo"), "move", QKeySequence("Shift+G"), Kind::Translation,
       tr("Show arrows that move the selected objects along axes and in planes"))
       ->setChecked(true);
-  add(tr("&Rotate gizmo"), "rotate", QKeySequence("Shift+R"), Kind::Rotation,
+  add(tr("Rota&te gizmo"), "rotate", QKeySequence("Shift+R"), Kind::Rotation,
       tr("Show rings that rotate the selected objects"));
-  add(tr("&Scale gizmo"), "scale", QKeySequence("Shift+S"), Kind::Scale,
+  add(tr("S&cale gizmo"), "scale", QKeySequence("Shift+S"), Kind::Scale,
       tr("Show handles that scale the selected objects"));
 }
 
@@ -129,7 +129,7 @@ void ObjectActions::make_options() {
   add(tr("&Active object"), PivotPoint::Active, tr("Rotate and scale about the origin of the last object"));
   add(tr("&World origin"), PivotPoint::World, tr("Rotate and scale about the origin of the world"));
   options_ = {new_switch(window_,
-                         {tr("&Local axes"),
+                         {tr("Local a&xes"),
                           {},
                           QKeySequence("Ctrl+Alt+O"),
                           tr("Move, rotate and scale along the axes of the object instead of the world")},
@@ -139,7 +139,7 @@ void ObjectActions::make_options() {
                            update_target();
                          }),
               new_switch(window_,
-                         {tr("S&nap"), "snap", QKeySequence("Ctrl+Alt+S"),
+                         {tr("Sn&ap"), "snap", QKeySequence("Ctrl+Alt+S"),
                           tr("Snap to the grid, to 5° and to factors of 0.1; Ctrl inverts it")},
                          false, [this](bool is_on) { gizmo_->set_snapping(is_on); })};
 }
@@ -205,7 +205,7 @@ void ObjectActions::make_structure() {
                     [this](grf::Diagnostics& diagnostics) {
                       return ungroup_objects(document_.scene(), document_.selected_objects(), diagnostics);
                     }),
-      add_placement(tr("Make sing&le"), {}, tr("Turn the selected instances into meshes of their own"),
+      add_placement(tr("Ma&ke single"), {}, tr("Turn the selected instances into meshes of their own"),
                     [this](grf::Diagnostics& diagnostics) {
                       return make_single(document_.scene(), document_.selected_objects(), diagnostics);
                     }),
@@ -330,8 +330,8 @@ void ObjectActions::fill(QMenu& menu) {
   add_menu(tr("Order in t&he list"), moves_);
   menu.addSeparator();
   menu.addActions(placements_);
-  add_menu(tr("M&irror"), mirrors_);
-  add_menu(tr("&Align and distribute"), alignments_);
+  add_menu(tr("Mirr&or"), mirrors_);
+  add_menu(tr("Align and distri&bute"), alignments_);
 }
 
 void ObjectActions::fill(QToolBar& bar) {
