@@ -327,7 +327,7 @@ void ObjectActions::fill(QMenu& menu) {
   menu.addActions(options_);
   menu.addSeparator();
   menu.addActions(structure_);
-  add_menu(tr("Order in t&he list"), moves_);
+  add_menu(tr("Order in the list"), moves_);
   menu.addSeparator();
   menu.addActions(placements_);
   add_menu(tr("Mirr&or"), mirrors_);
