@@ -198,13 +198,19 @@ void ImageBrowser::ask_for_name() {
 void ImageBrowser::save_as(const QString& path) {
   if (!image_.image) return;
   const float exposure = controls().settings().exposure;
-  const ImageEntry entry = {{}, {}, image_.image, image_.layer.isEmpty() ? image_.layers : nullptr};
-  run_aside(
-      this, [entry, exposure, path] { return save_image(entry, exposure, path); },
-      [this](const SavedImage& result) {
-        show_diagnostics(result.diagnostics);
-        if (result.is_written) emit saved(result.path);
-      });
+  grf::Diagnostics ignored_diagnostics;  // writing reports it again
+  const transport::ImageFormat* format = transport::image_format_of(path.toStdString(), ignored_diagnostics);
+  const bool is_linear = format == nullptr || format->is_linear;
+  ScreenSettings settings;
+  if (analysis_.image == image_.image) fit_range(image_, analysis_.statistics, settings);
+  const auto work = [shown = image_, is_linear, settings, exposure, path] {
+    const SharedImage image = is_linear ? shown.image : in_range(shown, settings);
+    return save_image({{}, {}, image, shown.layer.isEmpty() ? shown.layers : nullptr}, exposure, path);
+  };
+  run_aside(this, work, [this](const SavedImage& result) {
+    show_diagnostics(result.diagnostics);
+    if (result.is_written) emit saved(result.path);
+  });
 }
 
 void ImageBrowser::copy() const {

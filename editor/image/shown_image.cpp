@@ -47,4 +47,12 @@ void fit_range(const ShownImage& shown, const ImageStatistics& statistics, Scree
   if (!(settings.white > settings.black)) settings.white = settings.black + 1;
 }
 
+SharedImage in_range(const ShownImage& shown, const ScreenSettings& settings) {
+  if (!shown.image || (settings.black == 0 && settings.white == 1)) return shown.image;
+  auto image = std::make_shared<transport::Image>(*shown.image);
+  for (reflectance::Rgb& pixel : image->pixels)
+    pixel = (pixel - reflectance::Rgb(settings.black)) / (settings.white - settings.black);
+  return image;
+}
+
 }  // namespace editor

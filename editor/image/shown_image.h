@@ -28,4 +28,7 @@ ScreenSettings default_settings(const QString& layer);
 /// for other values.
 void fit_range(const ShownImage& shown, const ImageStatistics& statistics, ScreenSettings& settings);
 
+/// Returns the image of a layer for an 8-bit file: black is 0 and white is 1.
+SharedImage in_range(const ShownImage& shown, const ScreenSettings& settings);
+
 }  // namespace editor

@@ -39,13 +39,13 @@ const std::vector<ImageFormat>& image_formats() {
   constexpr int Widest = 65535;
   constexpr int WidestJpeg = 65500;
   static const std::vector<ImageFormat> formats = {
-      {"exr", "OpenEXR, linear 32-bit floats", Widest, true, encode_exr},
-      {"hdr", "Radiance RGBE, linear, 8 bits with a shared exponent", Widest, false, encode_radiance},
-      {"pfm", "portable float map, linear 32-bit floats", Widest, false, encode_pfm},
-      {"raw", "raw: width, height and linear 32-bit floats", Widest, false, encode_raw},
-      {"png", "PNG, 8 bits, sRGB", Widest, false, encode_png},
-      {"jpg", "JPEG, 8 bits, sRGB, lossy", WidestJpeg, false, encode_jpeg},
-      {"tga", "Targa, 8 bits, sRGB", Widest, false, encode_tga}};
+      {"exr", "OpenEXR, linear 32-bit floats", Widest, true, true, encode_exr},
+      {"hdr", "Radiance RGBE, linear, 8 bits with a shared exponent", Widest, false, true, encode_radiance},
+      {"pfm", "portable float map, linear 32-bit floats", Widest, false, true, encode_pfm},
+      {"raw", "raw: width, height and linear 32-bit floats", Widest, false, true, encode_raw},
+      {"png", "PNG, 8 bits, sRGB", Widest, false, false, encode_png},
+      {"jpg", "JPEG, 8 bits, sRGB, lossy", WidestJpeg, false, false, encode_jpeg},
+      {"tga", "Targa, 8 bits, sRGB", Widest, false, false, encode_tga}};
   return formats;
 }
 

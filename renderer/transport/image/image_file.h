@@ -43,6 +43,7 @@ struct ImageFormat {
   std::string_view title;
   int largest_side = 0;  ///< in pixels
   bool holds_layers = false;
+  bool is_linear = false;  ///< else 8 bits encoded in sRGB, after exposure
   std::string (*encode)(const ImageFile& file) = nullptr;
 };
 

@@ -348,6 +348,12 @@ TEST_F(LayersOfImages, AreSavedWithTheImageOrAsOne) {
   ASSERT_TRUE(saved.wait());
   EXPECT_EQ(transport::read_image(folder_.path("depth.pfm"), diagnostics)->pixels,
             (std::vector<Rgb>{Rgb(2), Rgb(4)}));
+  ASSERT_TRUE(shows(qRgb(0, 0, 0), qRgb(255, 255, 255)));
+  browser_.save_as(QString::fromStdString(folder_.path("depth.png")));
+  ASSERT_TRUE(saved.wait());
+  EXPECT_EQ(transport::read_image(folder_.path("depth.png"), diagnostics)->pixels,
+            (std::vector<Rgb>{Rgb(0), Rgb(1)}))
+      << "as it is shown";
 }
 
 TEST_F(Browser, TakesTheExposureAsArithmetic) {
