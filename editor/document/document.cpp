@@ -71,7 +71,7 @@ class Document::Step : public QUndoCommand {
  public:
   /// Selects other objects after the step, if there are some.
   Step(Document& document, const QString& text, ScenePatch patch, QString key,
-       std::optional<std::vector<grf::ScenePath>> objects)
+       std::optional<std::vector<grf::ScenePath>> objects, bool amends)
       : QUndoCommand(text),
         document_(document),
         patch_(std::move(patch)),
@@ -80,7 +80,8 @@ class Document::Step : public QUndoCommand {
         objects_after_(std::move(objects)),
         key_(std::move(key)),
         gesture_(document.gesture_),
-        relocations_(document.relocations_.size()) {}
+        relocations_(document.relocations_.size()),
+        amends_(amends) {}
 
   int id() const override { return 1; }
   void undo() override {
@@ -100,6 +101,7 @@ class Document::Step : public QUndoCommand {
   }
   bool mergeWith(const QUndoCommand* other) override {
     const auto& later = static_cast<const Step&>(*other);
+    if (later.amends_) return amend(later);
     const bool is_of_same_gesture = !key_.isEmpty() && key_ == later.key_ && gesture_ == later.gesture_ &&
                                     relocations_ == later.relocations_ && selection_ == later.selection_;
     if (!is_of_same_gesture) return false;
@@ -110,6 +112,16 @@ class Document::Step : public QUndoCommand {
   }
 
  private:
+  /// Becomes the step to the present scene, so that many amendments take no more memory than one.
+  bool amend(const Step& later) {
+    if (relocations_ != later.relocations_) return false;
+    grf::Scene before = document_.scene_;
+    later.patch_.revert(before);
+    patch_.revert(before);
+    patch_ = ScenePatch::between(before, document_.scene_);
+    objects_after_ = later.objects_after_;
+    return true;
+  }
   void follow_file() {
     for (; relocations_ < document_.relocations_.size(); ++relocations_) {
       const Relocation& relocation = document_.relocations_[relocations_];
@@ -125,6 +137,7 @@ class Document::Step : public QUndoCommand {
   QString key_;
   int gesture_;
   std::size_t relocations_;  // number of relocations that were applied to it
+  bool amends_;
   bool takes_plain_sky_ = false;
 };
 
@@ -145,6 +158,7 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
   origin_ = revision();
   state_ = {};
   saved_state_ = {};
+  removed_faces_.clear();
   set_saved(origin_);
   path_ = path;
   diagnostics_ = std::move(diagnostics);
@@ -298,6 +312,10 @@ void Document::replace_objects(const QString& text, TransformedObjects edited, c
   push(text, ScenePatch::between(scene_, edited.scene), key, std::move(edited.paths));
 }
 
+void Document::amend_objects(const QString& text, TransformedObjects edited) {
+  push(text, ScenePatch::between(scene_, edited.scene), {}, std::move(edited.paths), true);
+}
+
 void Document::set_selection(FaceSelection selection) {
   selection_ = std::move(selection);
   packed_selection_.clear();
@@ -331,8 +349,8 @@ void Document::tell_of_places(std::size_t places) {
 }
 
 void Document::push(const QString& text, ScenePatch patch, const QString& key,
-                    const std::optional<std::vector<grf::ScenePath>>& objects) {
-  if (!patch.empty()) undo_stack_.push(new Step(*this, text, std::move(patch), key, objects));
+                    const std::optional<std::vector<grf::ScenePath>>& objects, bool amends) {
+  if (!patch.empty()) undo_stack_.push(new Step(*this, text, std::move(patch), key, objects, amends));
 }
 
 /// Sets the sky without an undo step, since it is not an edit that needs saving.
@@ -419,7 +437,10 @@ void Document::show_change(const Change& change, const QByteArray* selection,
 
 /// Returns whether the state differs now.
 bool Document::carry_state_over(const SceneObjects& before) {
-  EditorState carried = state_.carried_over(FaceCorrespondence(before, *objects_));
+  const FaceCorrespondence correspondence(before, *objects_);
+  EditorState carried = state_.carried_over(correspondence);
+  if (state_.hidden.fits(before)) removed_faces_.remember(state_, before, correspondence);
+  removed_faces_.restore(carried, *objects_, correspondence);
   if (carried == state_) return false;
   state_ = std::move(carried);
   return true;

@@ -50,7 +50,7 @@ class Document : public QObject {
   /// The paths of the selected objects; the last one is the active one. Each leads to a block of the scene.
   const std::vector<grf::ScenePath>& selected_objects() const { return *selected_objects_; }
   /// The hidden, locked and named faces, of `objects`. They are no undo steps: an edit, undo or redo keeps
-  /// those of meshes that are there before and after it.
+  /// those of meshes that are there before and after it, and those of a removed mesh come back with it.
   const EditorState& editor_state() const { return state_; }
   /// The file that the scene was read from or saved to; empty if there is none.
   const QString& path() const { return path_; }
@@ -113,6 +113,9 @@ class Document : public QObject {
   bool transform_selected(const QString& text, const TransformAction& action);
   /// Replaces the scene by one in which the selected objects have other paths.
   void replace_objects(const QString& text, TransformedObjects edited, const QString& key = {});
+  /// Edits the objects of the last step, which becomes the step to the edited scene: a new object got other
+  /// parameters. Not after the scene was saved.
+  void amend_objects(const QString& text, TransformedObjects edited);
   /// Ends the merging of steps: a slider was released.
   void finish_gesture();
 
@@ -145,7 +148,7 @@ class Document : public QObject {
   void set_saved(std::optional<std::uint64_t> revision);
   void tell_of_places(std::size_t places);
   void push(const QString& text, ScenePatch patch, const QString& key,
-            const std::optional<std::vector<grf::ScenePath>>& objects = std::nullopt);
+            const std::optional<std::vector<grf::ScenePath>>& objects = std::nullopt, bool amends = false);
   void set_background(const grf::Vec3f& radiance);
   void light_by_plain_sky();
   bool take_plain_sky();
@@ -166,6 +169,7 @@ class Document : public QObject {
   QByteArray packed_selection_;  ///< of `selection_`; empty until a step needs it
   EditorState state_;
   EditorState saved_state_;  ///< that of its file
+  RemovedFaces removed_faces_;
   grf::Shared<std::vector<grf::ScenePath>> selected_objects_;
   QString path_;
   grf::Diagnostics diagnostics_;

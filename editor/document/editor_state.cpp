@@ -4,8 +4,11 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "grf/text_file.h"
 
@@ -103,6 +106,42 @@ EditorState EditorState::carried_over(const FaceCorrespondence& correspondence) 
     carried.face_sets.emplace(name, correspondence.carried_over(faces));
   }
   return carried;
+}
+
+void RemovedFaces::remember(const EditorState& state, const SceneObjects& before,
+                            const FaceCorrespondence& correspondence) {
+  for (const std::uint32_t mesh : correspondence.removed()) {
+    RemovedMesh removed = {before.meshes[mesh].mesh,
+                           before.meshes[mesh].path,
+                           state.hidden.of_mesh(mesh),
+                           state.locked.of_mesh(mesh),
+                           {}};
+    for (const auto& [name, faces] : state.face_sets) {
+      if (faces.count(mesh) > 0) removed.face_sets.emplace(name, faces.of_mesh(mesh));
+    }
+    if (removed.hidden.any() || removed.locked.any() || !removed.face_sets.empty())
+      meshes_.push_back(std::move(removed));
+  }
+}
+
+void RemovedFaces::restore(EditorState& state, const SceneObjects& now,
+                           const FaceCorrespondence& correspondence) {
+  for (const std::uint32_t mesh : correspondence.added()) {
+    const MeshObject& object = now.meshes[mesh];
+    // The last one, since a mesh may be removed more than once; copies of a mesh share its geometry.
+    const auto is_same = [&](const RemovedMesh& removed) {
+      return removed.path == object.path && removed.mesh->geometry.shares(object.mesh->geometry);
+    };
+    const auto found = std::find_if(meshes_.rbegin(), meshes_.rend(), is_same);
+    if (found == meshes_.rend()) continue;
+    state.hidden.set_faces(mesh, found->hidden);
+    state.locked.set_faces(mesh, found->locked);
+    for (const auto& [name, faces] : found->face_sets) {
+      const auto set = state.face_sets.find(name);
+      if (set != state.face_sets.end()) set->second.set_faces(mesh, faces);
+    }
+    meshes_.erase(std::next(found).base());
+  }
 }
 
 QString editor_file_beside(const QString& scene_path) { return scene_path + ".editor.json"; }

@@ -5,6 +5,7 @@
 #include <QString>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "editor/document/face_selection.h"
 #include "grf/diagnostics.h"
@@ -29,6 +30,30 @@ struct EditorState {
   EditorState carried_over(const FaceCorrespondence& correspondence) const;
 
   bool operator==(const EditorState&) const = default;
+};
+
+/// The hidden, locked and named faces of meshes that edits removed. They come back with the mesh when the
+/// edit is undone, or when the edit that added it is redone.
+class RemovedFaces {
+ public:
+  void clear() { meshes_.clear(); }
+  /// Remembers the faces of the meshes that an edit removes.
+  void remember(const EditorState& state, const SceneObjects& before,
+                const FaceCorrespondence& correspondence);
+  /// Restores the faces of meshes that an edit brings back into a state of the objects after the edit. A
+  /// named set that was removed meanwhile stays removed.
+  void restore(EditorState& state, const SceneObjects& now, const FaceCorrespondence& correspondence);
+
+ private:
+  struct RemovedMesh {
+    grf::Shared<grf::Mesh> mesh;
+    grf::ScenePath path;
+    FaceSelection::Faces hidden;
+    FaceSelection::Faces locked;
+    std::map<std::string, FaceSelection::Faces> face_sets;
+  };
+
+  std::vector<RemovedMesh> meshes_;
 };
 
 /// The path of the editor's file beside a scene, SCENE.grf.editor.json.

@@ -173,7 +173,7 @@ bool FaceSelection::fits(const SceneObjects& objects) const {
 }
 
 FaceCorrespondence::FaceCorrespondence(const SceneObjects& before, const SceneObjects& now)
-    : now_(&now), before_of_(now.meshes.size()) {
+    : before_(&before), now_(&now), before_of_(now.meshes.size()) {
   std::multimap<const grf::Geometry*, std::uint32_t> known;
   std::map<grf::ScenePath, std::uint32_t> places;
   for (std::uint32_t i = 0; i < before.meshes.size(); ++i) {
@@ -200,6 +200,26 @@ FaceSelection FaceCorrespondence::carried_over(const FaceSelection& selection) c
     if (before && *before < selection.mesh_count()) carried.set_faces(i, selection.of_mesh(*before));
   }
   return carried;
+}
+
+std::vector<std::uint32_t> FaceCorrespondence::removed() const {
+  std::vector<bool> is_there(before_->meshes.size());
+  for (const auto before : before_of_) {
+    if (before) is_there[*before] = true;
+  }
+  std::vector<std::uint32_t> removed;
+  for (std::uint32_t i = 0; i < is_there.size(); ++i) {
+    if (!is_there[i]) removed.push_back(i);
+  }
+  return removed;
+}
+
+std::vector<std::uint32_t> FaceCorrespondence::added() const {
+  std::vector<std::uint32_t> added;
+  for (std::uint32_t i = 0; i < before_of_.size(); ++i) {
+    if (!before_of_[i]) added.push_back(i);
+  }
+  return added;
 }
 
 grf::Box3d bounds_of(const SceneObjects& objects, const FaceSelection& selection) {

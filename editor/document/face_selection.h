@@ -80,8 +80,13 @@ class FaceCorrespondence {
 
   /// Returns the same faces after the edit. Faces of meshes that are new are not selected.
   FaceSelection carried_over(const FaceSelection& selection) const;
+  /// The meshes before the edit that are not there any more, by their index.
+  std::vector<std::uint32_t> removed() const;
+  /// The meshes that were not there before the edit, by their index.
+  std::vector<std::uint32_t> added() const;
 
  private:
+  const SceneObjects* before_;
   const SceneObjects* now_;
   std::vector<std::optional<std::uint32_t>> before_of_;  ///< index of the mesh before, per mesh now
 };

@@ -63,6 +63,26 @@ void follow_insertion(grf::ScenePath& path, const BlockPlace& place, std::uint32
   if (path.size() > depth && is_inside(path, place.list) && path[depth] >= place.before) path[depth] += count;
 }
 
+/// Updates a path after two siblings were exchanged.
+void follow_exchange(grf::ScenePath& path, const grf::ScenePath& one, const grf::ScenePath& other) {
+  const std::size_t depth = one.size() - 1;
+  if (is_inside(path, one)) {
+    path[depth] = other.back();
+  } else if (is_inside(path, other)) {
+    path[depth] = one.back();
+  }
+}
+
+/// Whether the list of the scene shows a block as a group: a transform of one object is part of that object.
+bool is_group(const grf::Block& block) {
+  const auto* transform = std::get_if<grf::Transform>(&block.content);
+  if (transform == nullptr) return false;
+  if (transform->body.blocks.size() != 1) return true;
+  const auto& content = transform->body.blocks.front().content;
+  return std::holds_alternative<grf::Transform>(content) || std::holds_alternative<grf::Include>(content) ||
+         std::holds_alternative<grf::DefinitionScope>(content);
+}
+
 /// Erases a block, and transforms that become empty. Paths of other blocks are updated.
 void erase_and_follow(grf::Scene& scene, grf::ScenePath path, const std::vector<grf::ScenePath*>& others) {
   while (path.size() > 1) {
@@ -184,6 +204,52 @@ std::optional<TransformedObjects> move_objects(const grf::Scene& scene,
   const std::vector<grf::ScenePath> blocks = moved_blocks(scene, paths);
   if (!may_move(scene, blocks, place, diagnostics)) return std::nullopt;
   return move_blocks(scene, blocks, paths, place);
+}
+
+TransformedObjects shift_objects(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths,
+                                 int step) {
+  TransformedObjects result{scene, paths};
+  std::vector<grf::ScenePath> blocks = moved_blocks(scene, paths);
+  if (step > 0) std::ranges::reverse(blocks);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const grf::ScenePath from = blocks[i];
+    const grf::ScenePathView list = grf::ScenePathView(from).first(from.size() - 1);
+    auto& siblings = grf::find_blocks(result.scene, list)->blocks;
+    const std::int64_t place = std::int64_t(from.back()) - definitions_of(result.scene, list);
+    if (place + step < 0 || place + step >= std::int64_t(siblings.size())) continue;
+    grf::ScenePath to = from;
+    to.back() += static_cast<std::uint32_t>(step);
+    if (std::ranges::find(blocks, to) != blocks.end()) continue;
+    std::swap(siblings[static_cast<std::size_t>(place)], siblings[static_cast<std::size_t>(place + step)]);
+    for (auto* list_of_paths : {&blocks, &result.paths}) {
+      for (grf::ScenePath& path : *list_of_paths) follow_exchange(path, from, to);
+    }
+  }
+  return result;
+}
+
+std::optional<TransformedObjects> move_out_of_group(const grf::Scene& scene,
+                                                    const std::vector<grf::ScenePath>& paths,
+                                                    grf::Diagnostics& diagnostics) {
+  grf::ScenePath group = moved_blocks(scene, {paths.back()}).front();
+  do group.pop_back();
+  while (!group.empty() && !std::holds_alternative<grf::Transform>(block_at(scene, group)->content));
+  if (!group.empty()) return move_objects(scene, paths, place_after(scene, group), diagnostics);
+  diagnostics.error({}, "the object is in no group");
+  return std::nullopt;
+}
+
+std::optional<TransformedObjects> move_into_group(const grf::Scene& scene,
+                                                  const std::vector<grf::ScenePath>& paths,
+                                                  grf::Diagnostics& diagnostics) {
+  const std::vector<grf::ScenePath> blocks = moved_blocks(scene, paths);
+  grf::ScenePath group = moved_blocks(scene, {paths.back()}).front();
+  const std::uint32_t first = definitions_of(scene, grf::ScenePathView(group).first(group.size() - 1));
+  while (group.back() > first && std::ranges::find(blocks, group) != blocks.end()) --group.back();
+  if (std::ranges::find(blocks, group) == blocks.end() && is_group(*block_at(scene, group)))
+    return move_objects(scene, paths, place_at_end(scene, group), diagnostics);
+  diagnostics.error({}, "there is no group in front of the object");
+  return std::nullopt;
 }
 
 std::optional<TransformedObjects> group_objects(const grf::Scene& scene,

@@ -39,6 +39,20 @@ std::optional<TransformedObjects> move_objects(const grf::Scene& scene,
                                                const std::vector<grf::ScenePath>& paths,
                                                const BlockPlace& place, grf::Diagnostics& diagnostics);
 
+/// Moves each object by one place among its siblings, up if `step` is -1 and down if it is 1. Those at the
+/// end of their list stay, and so do those behind them.
+TransformedObjects shift_objects(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths, int step);
+
+/// Moves objects out of the innermost group that contains the last of them, behind that group.
+std::optional<TransformedObjects> move_out_of_group(const grf::Scene& scene,
+                                                    const std::vector<grf::ScenePath>& paths,
+                                                    grf::Diagnostics& diagnostics);
+
+/// Moves objects to the end of the group in front of the first of those beside the last one.
+std::optional<TransformedObjects> move_into_group(const grf::Scene& scene,
+                                                  const std::vector<grf::ScenePath>& paths,
+                                                  grf::Diagnostics& diagnostics);
+
 /// Moves two or more objects into a new transform, at the place of the first of those beside the last one.
 /// The path is that of the transform.
 std::optional<TransformedObjects> group_objects(const grf::Scene& scene,

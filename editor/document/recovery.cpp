@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "editor/document/document.h"
+#include "editor/document/save.h"
 #include "editor/document/scene_places.h"
 #include "grf/read.h"
 #include "grf/relocate.h"
@@ -114,16 +115,18 @@ bool write_record(const QString& folder, const QJsonObject& record) {
 
 /// Returns an error message, or nothing. The scene is written before the record: a session without a record
 /// has no autosave.
-QString write_work(const QString& folder, const grf::Scene& scene, const QString& path,
-                   const ImportFolders& imports) {
+QString write_work(const QString& folder, const SaveRequest& work) {
+  const QString path = work.path;
   Packing packing(folder.toStdString());
-  const grf::Scene packed = packing.pack(scene, path.toStdString());
+  const grf::Scene packed = packing.pack(work.scene, path.toStdString());
+  const QString scene_file = folder + "/" + SceneFile;
   grf::Diagnostics diagnostics;
-  if (!grf::write(packed, (folder + "/" + SceneFile).toStdString(), diagnostics)) {
+  if (!grf::write(packed, scene_file.toStdString(), diagnostics) ||
+      !write_editor_state(work.state, *work.objects, scene_file, diagnostics)) {
     return QString::fromStdString(diagnostics.to_text());
   }
   QJsonArray folders;
-  for (const auto& import : imports) folders.append(import->path());
+  for (const auto& import : work.imports) folders.append(import->path());
   const QJsonObject record = {{"path", path},
                               {"imports", folders},
                               {"saved", QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs)},
@@ -185,6 +188,9 @@ Recovery::Recovery(Document& document, const QString& sessions, int delay, QObje
     // The timer is not restarted at each change, which would postpone the autosave for ever.
     if (document_.is_modified() && !timer_.isActive()) timer_.start();
   });
+  connect(&document_, &Document::editor_state_changed, this, [this] {
+    if (document_.is_modified() && !timer_.isActive()) timer_.start();
+  });
   connect(&document_, &Document::modified_changed, this, [this](bool is_modified) {
     if (is_modified && !timer_.isActive()) timer_.start();
     if (!is_modified) discard_own();
@@ -232,6 +238,11 @@ std::optional<grf::Scene> Recovery::read(const LostWork& work, grf::Diagnostics&
   return result;
 }
 
+EditorState Recovery::read_state(const LostWork& work, const SceneObjects& objects,
+                                 grf::Diagnostics& diagnostics) {
+  return read_editor_state(work.folder + "/" + SceneFile, objects, diagnostics);
+}
+
 void Recovery::discard(const LostWork& work) { QDir(work.folder).removeRecursively(); }
 
 // Changes made during an autosave are autosaved next.
@@ -244,8 +255,13 @@ void Recovery::keep() {
     lock_.emplace(folder_ + "/" + LockFile);
     take_lock(*lock_);
   }
-  writing_.setFuture(
-      QtConcurrent::run(write_work, folder_, document_.scene(), document_.path(), document_.imports()));
+  SaveRequest work;
+  work.scene = document_.scene();
+  work.path = document_.path();
+  work.imports = document_.imports();
+  work.state = document_.editor_state();
+  work.objects = document_.shared_objects();
+  writing_.setFuture(QtConcurrent::run(write_work, folder_, work));
 }
 
 void Recovery::discard_own() {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "editor/document/editor_state.h"
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
 
@@ -44,6 +45,9 @@ class Recovery : public QObject {
   std::vector<LostWork> lost_work() const;
   /// Reads an autosaved scene, to be set as that of its path. Returns nothing after an error.
   static std::optional<grf::Scene> read(const LostWork& work, grf::Diagnostics& diagnostics);
+  /// Reads the hidden, locked and named faces of an autosaved scene with these objects.
+  static EditorState read_state(const LostWork& work, const SceneObjects& objects,
+                                grf::Diagnostics& diagnostics);
   static void discard(const LostWork& work);
 
   /// Sets the time from a change to its autosave, in milliseconds, from the next change on.

@@ -38,8 +38,8 @@ void run_aside(QObject* receiver, const Work& work, const Take& take) {
 
 QString absolute(const QString& path) { return QDir::cleanPath(QFileInfo(path).absoluteFilePath()); }
 
-QString title_of(const QString& letter, const ImageEntry& entry) {
-  return entry.image ? letter + ": " + entry.name : QString();
+QString title_of(const QString& letter, const ShownImage& shown) {
+  return shown.image ? letter + ": " + shown.name : QString();
 }
 
 }  // namespace
@@ -73,6 +73,7 @@ void ImageBrowser::connect_tools() {
   });
   connect(tools_, &ImageTools::image_chosen, this, &ImageBrowser::select_image);
   connect(tools_, &ImageTools::reference_chosen, this, &ImageBrowser::select_reference);
+  connect(tools_, &ImageTools::layer_chosen, this, &ImageBrowser::select_layer);
   connect(tools_, &ImageTools::comparison_changed, this, &ImageBrowser::show_selection);
 }
 
@@ -125,9 +126,18 @@ void ImageBrowser::select_image(const QString& name) {
 void ImageBrowser::select_reference(const QString& name) {
   const bool had_none = !selection_.reference().image;
   selection_.select_reference(name);
-  if (had_none && selection_.reference().image && tools_->comparison() == Comparison::None) {
+  if (had_none) wipe_unless_compared();
+  show_selection();
+}
+
+void ImageBrowser::wipe_unless_compared() {
+  if (selection_.reference().image && tools_->comparison() == Comparison::None) {
     set_comparison(Comparison::Wipe);
   }
+}
+
+void ImageBrowser::select_layer(const QString& name) {
+  selection_.select_layer(name);
   show_selection();
 }
 
@@ -137,15 +147,40 @@ void ImageBrowser::open_files(const QStringList& paths) {
   for (const QString& path : paths) {
     run_aside(
         this, [path = absolute(path)] { return load_image(path); },
-        [this](const LoadedImage& loaded) { take_loaded(loaded); });
+        [this](const LoadedImage& loaded) { take_loaded(loaded, selection_.name_of(loaded.path), true); });
   }
 }
 
-void ImageBrowser::take_loaded(const LoadedImage& loaded) {
+void ImageBrowser::reload(const QString& path) {
+  run_aside(
+      this, [path = absolute(path)] { return load_image(path); },
+      [this](const LoadedImage& loaded) { take_loaded(loaded, selection_.name_of(loaded.path), false); });
+}
+
+void ImageBrowser::compare(const QString& path, const QString& former_path, const QString& former_name) {
+  using Pair = std::pair<LoadedImage, LoadedImage>;
+  run_aside(
+      this,
+      [now = absolute(path), former = absolute(former_path)] {
+        return Pair(load_image(now), load_image(former));
+      },
+      [this, former_name](const Pair& loaded) {
+        const QString name = selection_.name_of(loaded.first.path);
+        if (!take_loaded(loaded.second, former_name, true) || !take_loaded(loaded.first, name, true)) return;
+        selection_.select(name);
+        selection_.select_reference(former_name);
+        wipe_unless_compared();
+        show_selection();
+      });
+}
+
+/// Returns false if there is no image.
+bool ImageBrowser::take_loaded(const LoadedImage& loaded, const QString& name, bool is_wanted) {
   show_diagnostics(loaded.diagnostics);
-  if (!loaded.image) return;
-  put({selection_.name_of(loaded.path), loaded.path, loaded.image}, true);
+  if (!loaded.image) return false;
+  put({name, loaded.path, loaded.image, loaded.layers}, is_wanted);
   emit opened(loaded.path);
+  return true;
 }
 
 void ImageBrowser::ask_for_files() {
@@ -153,28 +188,34 @@ void ImageBrowser::ask_for_files() {
 }
 
 void ImageBrowser::ask_for_name() {
-  const ImageEntry& shown = selection_.image();
-  if (!shown.image) return;
-  const QString start = shown.path.isEmpty() ? shown.name + QStringLiteral(".exr") : shown.path;
+  if (!image_.image) return;
+  const QString& own = selection_.image().path;
+  const QString start = own.isEmpty() || !image_.layer.isEmpty() ? image_.name + QStringLiteral(".exr") : own;
   const QString path = QFileDialog::getSaveFileName(this, tr("Save the image"), start, image_write_filter());
   if (!path.isEmpty()) save_as(path);
 }
 
 void ImageBrowser::save_as(const QString& path) {
-  const SharedImage image = selection_.image().image;
-  if (!image) return;
+  if (!image_.image) return;
   const float exposure = controls().settings().exposure;
-  run_aside(
-      this, [image, exposure, path] { return save_image(image, exposure, path); },
-      [this](const SavedImage& result) {
-        show_diagnostics(result.diagnostics);
-        if (result.is_written) emit saved(result.path);
-      });
+  grf::Diagnostics ignored_diagnostics;  // writing reports it again
+  const transport::ImageFormat* format = transport::image_format_of(path.toStdString(), ignored_diagnostics);
+  const bool is_linear = format == nullptr || format->is_linear;
+  ScreenSettings settings;
+  if (analysis_.image == image_.image) fit_range(image_, analysis_.statistics, settings);
+  const auto work = [shown = image_, is_linear, settings, exposure, path] {
+    const SharedImage image = is_linear ? shown.image : in_range(shown, settings);
+    return save_image({{}, {}, image, shown.layer.isEmpty() ? shown.layers : nullptr}, exposure, path);
+  };
+  run_aside(this, work, [this](const SavedImage& result) {
+    show_diagnostics(result.diagnostics);
+    if (result.is_written) emit saved(result.path);
+  });
 }
 
 void ImageBrowser::copy() const {
   const bool is_difference = tools_->difference() && analysis_.difference;
-  const SharedImage& shown = is_difference ? analysis_.difference : selection_.image().image;
+  const SharedImage& shown = is_difference ? analysis_.difference : image_.image;
   if (!shown) return;
   const QRect whole(0, 0, shown->width, shown->height);
   QGuiApplication::clipboard()->setImage(ScreenColours(screen_settings()).convert(*shown, whole));
@@ -195,6 +236,11 @@ ScreenSettings ImageBrowser::screen_settings() const {
   ScreenSettings settings = tools_->controls().settings();
   const bool is_difference = tools_->difference() && analysis_.difference;
   if (is_difference && analysis_.kind == Difference::Signed) settings.colouring = Colouring::Signed;
+  if (analysis_.image == image_.image) fit_range(image_, analysis_.statistics, settings);
+  if (is_difference) {
+    settings.white -= settings.black;
+    settings.black = 0;
+  }
   const ImageStatistics& statistics = is_difference ? analysis_.difference_statistics : analysis_.statistics;
   if (statistics.bright_luminance > 0) {
     settings.least = statistics.dark_luminance;
@@ -204,14 +250,27 @@ ScreenSettings ImageBrowser::screen_settings() const {
 }
 
 void ImageBrowser::show_selection() {
+  show_layer();
   tools_->show_selection(selection_);
   show_on_pane();
   start_analysis();
 }
 
+/// Each layer keeps its own settings of the display.
+void ImageBrowser::show_layer() {
+  const QString layer = selection_.layer();
+  if (layer != image_.layer) {
+    settings_of_layers_[image_.layer] = controls().settings();
+    const auto kept = settings_of_layers_.find(layer);
+    controls().set_settings(kept == settings_of_layers_.end() ? default_settings(layer) : kept->second);
+  }
+  update_shown(selection_.image(), layer, image_);
+  update_shown(selection_.reference(), layer, reference_);
+}
+
 void ImageBrowser::show_on_pane() {
-  const ImageEntry& first = selection_.image();
-  const ImageEntry& second = selection_.reference();
+  const ShownImage& first = image_;
+  const ShownImage& second = reference_;
   const bool is_difference = second.image && tools_->difference() && analysis_.difference &&
                              analysis_.image->width == first.image->width;
   if (is_difference) {
@@ -229,7 +288,7 @@ void ImageBrowser::show_on_pane() {
 }
 
 bool ImageBrowser::is_current(const ImageAnalysis& made) const {
-  return made.image == selection_.image().image && made.reference == selection_.reference().image &&
+  return made.image == image_.image && made.reference == reference_.image &&
          made.kind == tools_->difference();
 }
 
@@ -237,8 +296,8 @@ bool ImageBrowser::is_current(const ImageAnalysis& made) const {
 void ImageBrowser::start_analysis() {
   if (is_analysing_) return;
   is_analysing_ = true;
-  const SharedImage first = selection_.image().image;
-  const SharedImage second = selection_.reference().image;
+  const SharedImage first = image_.image;
+  const SharedImage second = reference_.image;
   run_aside(
       this, [first, second, kind = tools_->difference()] { return analysis_of(first, second, kind); },
       [this](const ImageAnalysis& made) { take_analysis(made); });
@@ -248,15 +307,14 @@ void ImageBrowser::take_analysis(const ImageAnalysis& made) {
   is_analysing_ = false;
   analysis_ = made;
   show_on_pane();
-  statistics_->setText(statistics_text(made));
+  statistics_->setText(statistics_text(made, image_, reference_));
   if (!is_current(made)) start_analysis();
 }
 
 void ImageBrowser::show_pixel(const std::optional<QPoint>& pixel) {
   pixel_ = pixel;
-  const SharedImage& image = selection_.image().image;
-  if (!image) return values_->clear();
-  values_->setText(pixel ? pixel_text(*pixel, image, selection_.reference().image)
+  if (!image_.image) return values_->clear();
+  values_->setText(pixel ? pixel_text(*pixel, image_, reference_.image)
                          : tr("Point at a pixel to read its values."));
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <QWidget>
+#include <map>
 #include <optional>
 
 #include "editor/image/image_selection.h"
 #include "editor/image/image_tools.h"
+#include "editor/image/shown_image.h"
 
 class QLabel;
 
@@ -27,6 +29,8 @@ class ImageBrowser : public QWidget {
   void show_image(const QString& name, SharedImage image);
   /// Shows an unfinished image whose file is still being written: the same entry as that of `open_files`.
   void show_image_of(const QString& path, SharedImage image);
+  /// Loads the file of an image that is in the list, or is about to be, without showing it.
+  void reload(const QString& path);
   void remove_image(const QString& name);
   /// Saves the shown image, in the format of the file's extension.
   void save_as(const QString& path);
@@ -37,7 +41,14 @@ class ImageBrowser : public QWidget {
   /// Selects an image by name; an empty reference means none.
   void select_image(const QString& name);
   void select_reference(const QString& name);
+  /// Selects the layer of both that is shown; empty for the images themselves.
+  void select_layer(const QString& name);
   void set_comparison(Comparison comparison) { tools_->set_comparison(comparison); }
+  /// Opens an image and a former state of it under another name, and compares them; with a wipe if no
+  /// comparison is chosen.
+  void compare(const QString& path, const QString& former_path, const QString& former_name);
+  /// The path of the shown image; empty if it has none.
+  QString shown_path() const { return selection_.image().path; }
 
   ImagePane& pane() { return *pane_; }
   ScreenControls& controls() { return tools_->controls(); }
@@ -59,9 +70,11 @@ class ImageBrowser : public QWidget {
   void lay_out();
   void ask_for_files();
   void ask_for_name();
-  void take_loaded(const LoadedImage& loaded);
+  bool take_loaded(const LoadedImage& loaded, const QString& name, bool is_wanted);
+  void wipe_unless_compared();
   void put(const ImageEntry& entry, bool is_wanted);
   void show_selection();
+  void show_layer();
   void show_on_pane();
   void start_analysis();
   void take_analysis(const ImageAnalysis& made);
@@ -71,6 +84,9 @@ class ImageBrowser : public QWidget {
   void show_diagnostics(const grf::Diagnostics& diagnostics);
 
   ImageSelection selection_;
+  ShownImage image_;                                      ///< A
+  ShownImage reference_;                                  ///< B
+  std::map<QString, ScreenSettings> settings_of_layers_;  ///< of those that were shown
   ImageAnalysis analysis_;
   bool is_analysing_ = false;
   std::optional<QPoint> pixel_;

@@ -1,22 +1,25 @@
 #include "editor/image/image_entry.h"
 
 #include "editor/programs/image_process.h"
-#include "renderer/transport/image/image_file.h"
 
 namespace editor {
 
 LoadedImage load_image(const QString& path) {
   LoadedImage loaded;
   loaded.path = path;
-  auto image = ImageProcess().read(path.toStdString(), loaded.diagnostics);
-  if (image) loaded.image = std::make_shared<const transport::Image>(std::move(*image));
+  auto file = ImageProcess().read_file(path.toStdString(), loaded.diagnostics);
+  if (!file) return loaded;
+  loaded.image = std::make_shared<const transport::Image>(std::move(file->image));
+  if (file->layers.empty()) return loaded;
+  loaded.layers = std::make_shared<const std::vector<transport::ImageLayer>>(std::move(file->layers));
   return loaded;
 }
 
-SavedImage save_image(const SharedImage& image, float exposure, const QString& path) {
+SavedImage save_image(const ImageEntry& entry, float exposure, const QString& path) {
   SavedImage saved;
   saved.path = path;
-  transport::ImageFile file{*image};
+  transport::ImageFile file{*entry.image};
+  if (entry.layers) file.layers = *entry.layers;
   file.exposure = exposure;
   saved.is_written = transport::write_image(file, path.toStdString(), saved.diagnostics);
   return saved;

@@ -4,25 +4,30 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "editor/image/image_statistics.h"
 #include "grf/diagnostics.h"
 #include "renderer/transport/image/image.h"
 #include "renderer/transport/image/image_error.h"
+#include "renderer/transport/image/image_file.h"
 
 namespace editor {
 
 using SharedImage = std::shared_ptr<const transport::Image>;
+using SharedLayers = std::shared_ptr<const std::vector<transport::ImageLayer>>;
 
 struct ImageEntry {
   QString name;  ///< display name
   QString path;  ///< path of its file; empty if it has none
   SharedImage image;
+  SharedLayers layers = {};  ///< of its file, besides the image; null if it has none
 };
 
 struct LoadedImage {
   QString path;
   SharedImage image;  ///< null after an error
+  SharedLayers layers;
   grf::Diagnostics diagnostics;
 };
 
@@ -34,8 +39,8 @@ struct SavedImage {
   grf::Diagnostics diagnostics;
 };
 
-/// Saves an image; 8-bit formats are exposed by `exposure` stops.
-SavedImage save_image(const SharedImage& image, float exposure, const QString& path);
+/// Saves an image with its layers, if the format has layers; 8-bit formats are exposed by `exposure` stops.
+SavedImage save_image(const ImageEntry& entry, float exposure, const QString& path);
 
 /// Statistics of an image, and its error against a reference.
 struct ImageAnalysis {

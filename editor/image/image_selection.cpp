@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "editor/controls/text.h"
+
 namespace editor {
 
 const ImageEntry& ImageSelection::named(const QString& name) const {
@@ -52,10 +54,25 @@ void ImageSelection::swap() {
   if (reference().image) std::swap(image_, reference_);
 }
 
+QStringList ImageSelection::layers() const {
+  QStringList names;
+  if (!image().layers) return names;
+  for (const transport::ImageLayer& layer : *image().layers) names << text_of(layer.name);
+  return names;
+}
+
+QString ImageSelection::layer() const { return find_layer(image(), layer_) != nullptr ? layer_ : QString(); }
+
 QString ImageSelection::name_of(const QString& path) const {
   const QString name = QFileInfo(path).fileName();
   const ImageEntry& same = named(name);
   return same.image && same.path != path ? path : name;
+}
+
+const transport::ImageLayer* find_layer(const ImageEntry& entry, const QString& name) {
+  if (!entry.layers) return nullptr;
+  const auto found = std::ranges::find(*entry.layers, name.toStdString(), &transport::ImageLayer::name);
+  return found == entry.layers->end() ? nullptr : &*found;
 }
 
 }  // namespace editor

@@ -47,6 +47,11 @@ ImageStatistics statistics_of(const transport::Image& image) {
     if (!count(image.pixels[i], statistics)) continue;
     const double luminance = luminance_of(image.pixels[i]);
     sum += luminance;
+    if (finite == 0) statistics.least_value = statistics.largest_value = image.pixels[i].x;
+    for (const float value : {image.pixels[i].x, image.pixels[i].y, image.pixels[i].z}) {
+      statistics.least_value = std::min(statistics.least_value, value);
+      statistics.largest_value = std::max(statistics.largest_value, value);
+    }
     ++finite;
     if (i % step == 0 && luminance > 0) lit.push_back(static_cast<float>(luminance));
   }

@@ -16,6 +16,9 @@ struct ImageStatistics {
   /// The 0.1 % and 99.9 % percentiles of luminance; 0 for a black image.
   double dark_luminance = 0;
   double bright_luminance = 0;
+  /// The least and the largest value of a channel in the finite pixels; 0 if there are none.
+  float least_value = 0;
+  float largest_value = 0;
 };
 
 ImageStatistics statistics_of(const transport::Image& image);

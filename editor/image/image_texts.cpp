@@ -1,6 +1,7 @@
 #include "editor/image/image_texts.h"
 
 #include <QStringList>
+#include <algorithm>
 
 #include "editor/controls/text.h"
 #include "editor/image/image_browser.h"
@@ -12,8 +13,15 @@ namespace {
 
 QString number(double value) { return QString::number(value, 'g', 4); }
 
-QString values_text(const reflectance::Rgb& pixel) {
-  return ImageBrowser::tr("R %1  G %2  B %3").arg(number(pixel.x), number(pixel.y), number(pixel.z));
+QString values_text(const reflectance::Rgb& pixel, const ShownImage& shown) {
+  if (shown.layer.isEmpty())
+    return ImageBrowser::tr("R %1  G %2  B %3").arg(number(pixel.x), number(pixel.y), number(pixel.z));
+  if (shown.channels.size() < 2) return shown.layer + ' ' + number(pixel.x);
+  QStringList parts;
+  for (int k = 0; k < std::min<qsizetype>(shown.channels.size(), 3); ++k) {
+    parts << shown.channels.mid(k, 1) + ' ' + number(pixel[k]);
+  }
+  return parts.join(QStringLiteral("  "));
 }
 
 bool is_inside(const QPoint& pixel, const SharedImage& image) {
@@ -33,7 +41,7 @@ QString error_text(const transport::ImageError& error) {
 
 }  // namespace
 
-QString statistics_text(const ImageAnalysis& analysis) {
+QString statistics_text(const ImageAnalysis& analysis, const ShownImage& shown, const ShownImage& reference) {
   if (!analysis.image) return {};
   const ImageStatistics& statistics = analysis.statistics;
   QStringList parts = {ImageBrowser::tr("%1 x %2").arg(analysis.image->width).arg(analysis.image->height)};
@@ -42,23 +50,31 @@ QString statistics_text(const ImageAnalysis& analysis) {
     parts << ImageBrowser::tr("%1 infinite (cyan)").arg(statistics.infinite_pixels);
   if (statistics.negative_pixels > 0)
     parts << ImageBrowser::tr("%1 negative").arg(statistics.negative_pixels);
+  if (!shown.layer.isEmpty()) {
+    parts << ImageBrowser::tr("from %1 to %2")
+                 .arg(number(double(statistics.least_value)), number(double(statistics.largest_value)));
+  }
   if (analysis.error) {
     parts << error_text(*analysis.error);
   } else if (analysis.reference) {
     parts << ImageBrowser::tr("B is %1 x %2: a difference needs images of the same size")
                  .arg(analysis.reference->width)
                  .arg(analysis.reference->height);
+  } else if (!reference.name.isEmpty() && !reference.image) {
+    parts << ImageBrowser::tr("B has no layer %1").arg(shown.layer);
   }
   return parts.join(QStringLiteral("   "));
 }
 
-QString pixel_text(const QPoint& pixel, const SharedImage& image, const SharedImage& reference) {
-  if (!is_inside(pixel, image)) return {};
-  const reflectance::Rgb& value = image->at(pixel.x(), pixel.y());
-  QString text = ImageBrowser::tr("x %1  y %2   %3").arg(pixel.x()).arg(pixel.y()).arg(values_text(value));
+QString pixel_text(const QPoint& pixel, const ShownImage& shown, const SharedImage& reference) {
+  if (!is_inside(pixel, shown.image)) return {};
+  const reflectance::Rgb& value = shown.image->at(pixel.x(), pixel.y());
+  QString text =
+      ImageBrowser::tr("x %1  y %2   %3").arg(pixel.x()).arg(pixel.y()).arg(values_text(value, shown));
   if (is_inside(pixel, reference)) {
-    return text + ImageBrowser::tr("   B: %1").arg(values_text(reference->at(pixel.x(), pixel.y())));
+    return text + ImageBrowser::tr("   B: %1").arg(values_text(reference->at(pixel.x(), pixel.y()), shown));
   }
+  if (!shown.layer.isEmpty()) return text;
   return text + ImageBrowser::tr("   luminance %1 cd/m2").arg(number(CandelasPerWatt * luminance_of(value)));
 }
 

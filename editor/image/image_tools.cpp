@@ -60,6 +60,10 @@ void ImageTools::make_actions() {
   flip = add_action("flip", tr("Flip to B"), tr("Show B in place of A until pressed again."), Qt::Key_Space);
   flip->setCheckable(true);
   swap = add_action("swap", tr("Swap A and B"), tr("Exchange the image and the reference."), Qt::Key_X);
+  next_layer = add_action({}, tr("Next layer"), tr("Show the next layer of the image."), Qt::Key_L,
+                          [this] { step_layer(1); });
+  previous_layer = add_action({}, tr("Previous layer"), tr("Show the previous layer of the image."),
+                              Qt::SHIFT | Qt::Key_L, [this] { step_layer(-1); });
 }
 
 /// Adds shortcuts without buttons: they operate the controls.
@@ -124,10 +128,14 @@ QToolBar* ImageTools::make_comparison_row() {
   add(tr("B"), references_);
   tools->addActions({swap, flip});
   add(tr("Compare"), comparison_);
+  layers_ = narrow_list(tr("Layer"), {}, 8, tools);
+  add(tr("Layer"), layers_);
   connect(images_, &QComboBox::textActivated, this, &ImageTools::image_chosen);
   connect(references_, &QComboBox::activated, this,
           [this](int index) { emit reference_chosen(references_->itemData(index).toString()); });
   connect(comparison_, &QComboBox::currentIndexChanged, this, &ImageTools::comparison_changed);
+  connect(layers_, &QComboBox::activated, this,
+          [this](int index) { emit layer_chosen(layers_->itemData(index).toString()); });
   return tools;
 }
 
@@ -152,9 +160,29 @@ void ImageTools::show_selection(const ImageSelection& selection) {
          tr("How A and B are compared: only A, with a wipe line that can be dragged, side by side, or as a "
             "difference."),
          has_reference ? QString() : tr("Choose an image as B first."));
+  show_layers(selection);
   images_->setEnabled(has_image);
   enable(references_, tr("The reference that A is compared with."),
          has_several ? QString() : tr("Open a second image to compare with."));
+}
+
+void ImageTools::show_layers(const ImageSelection& selection) {
+  const QSignalBlocker block(layers_);
+  layers_->clear();
+  layers_->addItem(tr("image"), QString());
+  for (const QString& name : selection.layers()) layers_->addItem(name, name);
+  layers_->setCurrentIndex(std::max(0, layers_->findData(selection.layer())));
+  const bool has_layers = layers_->count() > 1;
+  for (QAction* action : {next_layer, previous_layer}) action->setEnabled(has_layers);
+  enable(layers_, tr("The layer of A and B that is shown. Keys L and Shift+L."),
+         has_layers ? QString()
+                    : tr("Image A has no layers: the render option BPT_Layers adds them to an exr."));
+}
+
+/// Goes around at the ends.
+void ImageTools::step_layer(int step) {
+  const int count = layers_->count();
+  emit layer_chosen(layers_->itemData((layers_->currentIndex() + step + count) % count).toString());
 }
 
 Comparison ImageTools::comparison() const { return static_cast<Comparison>(comparison_->currentIndex()); }

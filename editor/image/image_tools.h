@@ -43,18 +43,23 @@ class ImageTools : public QWidget {
   QAction* remove = nullptr;
   QAction* flip = nullptr;  ///< checkable
   QAction* swap = nullptr;
+  QAction* next_layer = nullptr;
+  QAction* previous_layer = nullptr;
   QList<QAction*> of_view;  ///< act on the pane directly
 
  signals:
   void image_chosen(const QString& name);
   void reference_chosen(const QString& name);  ///< empty for none
   void comparison_changed();
+  void layer_chosen(const QString& name);  ///< empty for the image itself
 
  private:
   QAction* add_action(const QString& icon_name, const QString& text, const QString& help,
                       const QKeySequence& key, const std::function<void()>& work = {});
   void make_actions();
   void add_keys();
+  void step_layer(int step);
+  void show_layers(const ImageSelection& selection);
   QToolBar* make_bar();
   QToolBar* make_actions_row();
   QToolBar* make_comparison_row();
@@ -64,6 +69,7 @@ class ImageTools : public QWidget {
   QComboBox* images_ = nullptr;
   QComboBox* references_ = nullptr;
   QComboBox* comparison_ = nullptr;
+  QComboBox* layers_ = nullptr;
 };
 
 }  // namespace editor

@@ -43,7 +43,8 @@ void ImageWindow::make_menus() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
   view->addActions(browser_->tools().of_view);
   view->addSeparator();
-  view->addActions({browser_->tools().flip, browser_->tools().swap});
+  const ImageTools& tools = browser_->tools();
+  view->addActions({tools.flip, tools.swap, tools.next_layer, tools.previous_layer});
 }
 
 }  // namespace editor

@@ -21,7 +21,9 @@ void ScaleBar::set_settings(const ScreenSettings& settings) {
   setToolTip(
       settings.colouring == Colouring::Signed
           ? tr("Signed difference: luminance of the image minus that of the reference, W/(sr m2).")
-          : tr("Luminance in cd/m2: the luminance of the radiance, times %1 lm/W.").arg(CandelasPerWatt));
+      : settings.is_radiance
+          ? tr("Luminance in cd/m2: the luminance of the radiance, times %1 lm/W.").arg(CandelasPerWatt)
+          : tr("Values of the layer; of three channels their luminance."));
   update();
 }
 
@@ -30,8 +32,9 @@ std::vector<ScaleBar::Tick> ScaleBar::ticks() const {
     const double largest = colours_.scale().highest();
     return {{0, text_of(-largest)}, {0.5, "0"}, {1, "+" + text_of(largest)}};
   }
-  const double low = colours_.scale().lowest() * CandelasPerWatt;
-  const double high = colours_.scale().highest() * CandelasPerWatt;
+  const double unit = settings_.is_radiance ? CandelasPerWatt : 1;
+  const double low = colours_.scale().lowest() * unit;
+  const double high = colours_.scale().highest() * unit;
   const double range = std::log10(high / low);
   std::vector<Tick> ticks;
   for (double power = std::floor(std::log10(low)); std::pow(10, power) <= high; ++power) {
@@ -58,7 +61,9 @@ void ScaleBar::paintEvent(QPaintEvent*) {
   const ThemeColours colours = colours_of(theme_of(palette()));
   const int text = fontMetrics().height();
   painter.setPen(colours.faint_text);
-  const QString unit = settings_.colouring == Colouring::Signed ? tr("A - B") : tr("cd/m2");
+  const QString unit = settings_.colouring == Colouring::Signed ? tr("A - B")
+                       : settings_.is_radiance                  ? tr("cd/m2")
+                                                                : tr("value");
   painter.drawText(QRect(0, 0, width(), text), Qt::AlignHCenter, unit);
   const QRectF bar(Grid, 2.0 * text, 2.0 * Grid, height() - 3.0 * text);
   constexpr int Strips = 128;

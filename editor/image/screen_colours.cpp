@@ -88,7 +88,7 @@ std::uint8_t ByteCurve::operator()(float linear) const {
 
 ScreenColours::ScreenColours(const ScreenSettings& settings)
     : settings_(settings),
-      factor_(std::exp2(settings.exposure)),
+      factor_(std::exp2(settings.exposure) / (settings.white - settings.black)),
       curve_(&byte_curve(settings.curve)),
       scale_(settings.least / std::exp2(settings.exposure), settings.largest / std::exp2(settings.exposure)) {
   if (settings.colouring == Colouring::FalseColour) make_false_colours();
@@ -127,10 +127,8 @@ QRgb ScreenColours::signed_colour(double value) const {
 }
 
 QRgb ScreenColours::natural(const Rgb& pixel) const {
-  const auto grey = [this](float value) {
-    const int byte = (*curve_)(value * factor_);
-    return qRgb(byte, byte, byte);
-  };
+  const auto byte = [this](float value) { return (*curve_)((value - settings_.black) * factor_); };
+  const auto grey = [&byte](float value) { return qRgb(byte(value), byte(value), byte(value)); };
   switch (settings_.channel) {
     case ImageChannel::Colour:
       break;
@@ -143,7 +141,7 @@ QRgb ScreenColours::natural(const Rgb& pixel) const {
     case ImageChannel::Luminance:
       return grey(static_cast<float>(luminance_of(pixel)));
   }
-  return qRgb((*curve_)(pixel.x * factor_), (*curve_)(pixel.y * factor_), (*curve_)(pixel.z * factor_));
+  return qRgb(byte(pixel.x), byte(pixel.y), byte(pixel.z));
 }
 
 QRgb ScreenColours::operator()(const Rgb& pixel) const {

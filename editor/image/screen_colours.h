@@ -35,6 +35,10 @@ struct ScreenSettings {
   /// saturation point of either sign.
   double least = 0.01;
   double largest = 1;
+  /// The values that are black and white, before exposure.
+  float black = 0;
+  float white = 1;
+  bool is_radiance = true;  ///< false for layers such as a depth, whose luminance is not in cd/m2
 
   bool operator==(const ScreenSettings&) const = default;
 };
@@ -87,7 +91,7 @@ class ScreenColours {
   void make_false_colours();
 
   ScreenSettings settings_;
-  float factor_;
+  float factor_;            ///< of exposure, for a range of 1
   const ByteCurve* curve_;  ///< one of a few static curves
   plot::ColourScale scale_;
   std::vector<QRgb> false_colours_;  ///< indexed by the upper bits of a luminance

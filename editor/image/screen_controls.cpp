@@ -46,10 +46,24 @@ void ScreenControls::change(const Edit& edit) {
   const ScreenSettings before = settings_;
   edit(settings_);
   if (settings_ == before) return;
+  show_exposure();
+  emit edited(settings_);
+}
+
+void ScreenControls::show_exposure() {
   const QSignalBlocker block_slider(slider_);
   slider_->setValue(static_cast<int>(std::lround(settings_.exposure * StepsAStop)));
   stops_->set_value(static_cast<double>(settings_.exposure));
-  emit edited(settings_);
+}
+
+void ScreenControls::set_settings(const ScreenSettings& settings) {
+  settings_ = settings;
+  show_exposure();
+  const QSignalBlocker block_curve(curve_);
+  const QSignalBlocker block_view(view_);
+  curve_->setCurrentIndex(static_cast<int>(settings.curve));
+  view_->setCurrentIndex(settings.colouring == Colouring::FalseColour ? FalseColourView
+                                                                      : static_cast<int>(settings.channel));
 }
 
 void ScreenControls::add_exposure() {

@@ -19,6 +19,8 @@ class ScreenControls : public QWidget {
   explicit ScreenControls(QWidget* parent = nullptr);
 
   const ScreenSettings& settings() const { return settings_; }
+  /// Sets all that the controls show, without a signal.
+  void set_settings(const ScreenSettings& settings);
   void set_exposure(float stops);
   void set_channel(ImageChannel channel);
   void set_false_colour(bool is_on);
@@ -31,6 +33,7 @@ class ScreenControls : public QWidget {
   void add_exposure();
   void add_curve();
   void add_view();
+  void show_exposure();
   template <class Edit>
   void change(const Edit& edit);
 

@@ -11,6 +11,7 @@
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
 #include "editor/document/scene_places.h"
+#include "editor/panels/shape_form.h"
 
 namespace editor {
 namespace {
@@ -25,7 +26,11 @@ auto& vector_of_row(Transform& transform, int row) {
 }  // namespace
 
 ObjectPanel::ObjectPanel(Document& document, QWidget* parent)
-    : QWidget(parent), document_(document), pages_(new QStackedWidget(this)), problem_(problem_label(this)) {
+    : QWidget(parent),
+      document_(document),
+      shape_(new ShapeForm(document, this)),
+      pages_(new QStackedWidget(this)),
+      problem_(problem_label(this)) {
   setAccessibleName(tr("Object"));
   pages_->addWidget(hint_label(
       tr("Select an object to place it: click it in the 3D view, or in the scene outliner."), pages_));
@@ -33,6 +38,7 @@ ObjectPanel::ObjectPanel(Document& document, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(Grid, Grid, Grid, Grid);
   layout->setSpacing(Grid);
+  layout->addWidget(shape_);
   layout->addWidget(pages_, 1);
   layout->addWidget(problem_);
   connect(&document_, &Document::changed, this, [this](const Change& change) {
@@ -85,6 +91,8 @@ QWidget* ObjectPanel::make_form() {
   layout->setRowStretch(7, 1);
   return form;
 }
+
+void ObjectPanel::show_new_shape(const PrimitiveShape& shape) { shape_->begin(shape); }
 
 void ObjectPanel::show_lengths_in(const QString& unit) {
   length_unit_ = unit;

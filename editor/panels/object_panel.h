@@ -11,6 +11,8 @@ class QStackedWidget;
 namespace editor {
 
 class NumberBox;
+class ShapeForm;
+struct PrimitiveShape;
 
 /// Shows and edits position, rotation and scale of the active object relative to its parent.
 class ObjectPanel : public QWidget {
@@ -20,6 +22,8 @@ class ObjectPanel : public QWidget {
   /// The document outlives the panel.
   explicit ObjectPanel(Document& document, QWidget* parent = nullptr);
 
+  /// Shows the parameters of a shape that was just added and selected, until another edit is made.
+  void show_new_shape(const PrimitiveShape& shape);
   /// Shows lengths in a unit: m, cm, mm or in.
   void show_lengths_in(const QString& unit);
 
@@ -36,6 +40,7 @@ class ObjectPanel : public QWidget {
   Document& document_;
   QString length_unit_ = "m";
   ObjectTransform shown_;
+  ShapeForm* shape_;
   QStackedWidget* pages_;
   QLabel* name_ = nullptr;
   QLabel* size_ = nullptr;

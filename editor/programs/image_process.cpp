@@ -3,7 +3,9 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QFile>
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -24,21 +26,48 @@ QString first_line_in(QFile& file) {
   return file.seek(0) ? QString::fromUtf8(file.readLine(Longest)).trimmed() : QString();
 }
 
+bool read_bytes(QFile& file, void* bytes, std::uint64_t count) {
+  return file.read(static_cast<char*>(bytes), static_cast<qint64>(count)) == static_cast<qint64>(count);
+}
+
+std::uint64_t bytes_left(const QFile& file) { return static_cast<std::uint64_t>(file.size() - file.pos()); }
+
+/// Parses a layer as `bpt decode --layers` writes it.
+std::optional<transport::ImageLayer> layer_in(QFile& file, std::uint64_t pixels) {
+  constexpr std::uint32_t Longest = 1000;
+  std::array<std::uint32_t, 2> lengths = {};
+  if (!read_bytes(file, lengths.data(), sizeof(lengths)) || lengths[0] > Longest || lengths[1] > Longest)
+    return std::nullopt;
+  transport::ImageLayer layer{std::string(lengths[0], ' '), std::string(lengths[1], ' '), {}};
+  const bool has_names =
+      read_bytes(file, layer.name.data(), lengths[0]) && read_bytes(file, layer.channels.data(), lengths[1]);
+  const std::uint64_t count = pixels * std::max(1U, lengths[1]);
+  if (!has_names || bytes_left(file) / sizeof(float) < count) return std::nullopt;
+  layer.values.resize(count);
+  if (!read_bytes(file, layer.values.data(), count * sizeof(float))) return std::nullopt;
+  return layer;
+}
+
 /// Parses an image as `bpt decode` writes it. It is untrusted: a file that exploits the decoder may have had
 /// it write anything.
-std::optional<transport::Image> image_in(QFile& file) {
+std::optional<transport::ImageFile> image_in(QFile& file, bool has_layers) {
   std::array<std::int32_t, 2> size = {};
-  const auto read = [&file](void* bytes, std::size_t count) {
-    return file.read(static_cast<char*>(bytes), static_cast<qint64>(count)) == static_cast<qint64>(count);
-  };
-  if (!file.seek(0) || !read(size.data(), sizeof(size)) || size[0] < 1 || size[1] < 1) return std::nullopt;
-  const std::uint64_t bytes = static_cast<std::uint64_t>(file.size()) - sizeof(size);
+  if (!file.seek(0) || !read_bytes(file, size.data(), sizeof(size)) || size[0] < 1 || size[1] < 1)
+    return std::nullopt;
   const std::uint64_t pixels = static_cast<std::uint64_t>(size[0]) * static_cast<std::uint64_t>(size[1]);
   constexpr std::uint64_t PixelSize = sizeof(reflectance::Rgb);
-  if (bytes / PixelSize != pixels || bytes % PixelSize != 0) return std::nullopt;
-  transport::Image image{size[0], size[1], std::vector<reflectance::Rgb>(pixels)};
-  if (!read(&image.pixels.front().x, bytes)) return std::nullopt;
-  return image;
+  const std::uint64_t left = bytes_left(file);
+  if (has_layers ? left / PixelSize < pixels : left / PixelSize != pixels || left % PixelSize != 0)
+    return std::nullopt;
+  transport::ImageFile result;
+  result.image = {size[0], size[1], std::vector<reflectance::Rgb>(pixels)};
+  if (!read_bytes(file, &result.image.pixels.front().x, pixels * PixelSize)) return std::nullopt;
+  while (bytes_left(file) > 0) {
+    auto layer = layer_in(file, pixels);
+    if (!layer) return std::nullopt;
+    result.layers.push_back(std::move(*layer));
+  }
+  return result;
 }
 
 }  // namespace
@@ -46,8 +75,21 @@ std::optional<transport::Image> image_in(QFile& file) {
 std::optional<transport::Image> ImageProcess::read(const std::string& path, grf::Diagnostics& diagnostics,
                                                    const grf::SourceLocation& asked_for_at,
                                                    const std::stop_token& stop) const {
-  Result result = decode(QString::fromStdString(path), stop);
-  if (result.image || stop.stop_requested()) return std::move(result.image);
+  auto file = read(path, false, diagnostics, asked_for_at, stop);
+  return file ? std::optional(std::move(file->image)) : std::nullopt;
+}
+
+std::optional<transport::ImageFile> ImageProcess::read_file(const std::string& path,
+                                                            grf::Diagnostics& diagnostics) const {
+  return read(path, true, diagnostics, {}, {});
+}
+
+std::optional<transport::ImageFile> ImageProcess::read(const std::string& path, bool has_layers,
+                                                       grf::Diagnostics& diagnostics,
+                                                       const grf::SourceLocation& asked_for_at,
+                                                       const std::stop_token& stop) const {
+  Result result = decode(QString::fromStdString(path), has_layers, stop);
+  if (result.file || stop.stop_requested()) return std::move(result.file);
   const std::string problem = result.problem.toStdString();
   if (asked_for_at.file) {
     diagnostics.error(asked_for_at, fmt::format("'{}': {}", path, problem));
@@ -57,7 +99,8 @@ std::optional<transport::Image> ImageProcess::read(const std::string& path, grf:
   return std::nullopt;
 }
 
-ImageProcess::Result ImageProcess::decode(const QString& path, const std::stop_token& stop) const {
+ImageProcess::Result ImageProcess::decode(const QString& path, bool has_layers,
+                                          const std::stop_token& stop) const {
   if (program_.isEmpty()) return {{}, tr("cannot read the image: cannot find the program bpt")};
   QFile output;
   QFile errors;
@@ -71,7 +114,8 @@ ImageProcess::Result ImageProcess::decode(const QString& path, const std::stop_t
   QObject::connect(&process, &ChildProcess::ended, [&](const ChildEnd& ended) { end = ended; });
   QElapsedTimer clock;
   clock.start();
-  process.start(program_, {"decode", "--", path});
+  const QStringList options = has_layers ? QStringList{"decode", "--layers"} : QStringList{"decode"};
+  process.start(program_, options + QStringList{"--", path});
   while (!end && !process.wait(20)) {
     const bool is_late = static_cast<double>(clock.elapsed()) > 1000 * limits_.seconds;
     if (!stop.stop_requested() && !is_late) continue;
@@ -83,7 +127,7 @@ ImageProcess::Result ImageProcess::decode(const QString& path, const std::stop_t
   if (end->cause != ChildEnd::Cause::Returned)
     return {{}, tr("cannot read the image: the file is corrupt (its decoder crashed)")};
   if (end->code != 0) return {{}, first_line_in(errors)};
-  if (auto image = image_in(output)) return {std::move(image), {}};
+  if (auto file = image_in(output, has_layers)) return {std::move(file), {}};
   return {{}, tr("cannot read the image: the file is corrupt (its decoder wrote no image)")};
 }
 

@@ -7,7 +7,7 @@
 #include <stop_token>
 
 #include "editor/programs/bundled_program.h"
-#include "renderer/transport/image/image.h"
+#include "renderer/transport/image/image_file.h"
 
 namespace editor {
 
@@ -31,15 +31,21 @@ class ImageProcess {
   std::optional<transport::Image> read(const std::string& path, grf::Diagnostics& diagnostics,
                                        const grf::SourceLocation& asked_for_at = {},
                                        const std::stop_token& stop = {}) const;
+  /// Decodes an image with its layers as transport::read_image_file does.
+  std::optional<transport::ImageFile> read_file(const std::string& path, grf::Diagnostics& diagnostics) const;
 
  private:
   /// An image, or an error message.
   struct Result {
-    std::optional<transport::Image> image;
+    std::optional<transport::ImageFile> file;
     QString problem;
   };
 
-  Result decode(const QString& path, const std::stop_token& stop) const;
+  std::optional<transport::ImageFile> read(const std::string& path, bool has_layers,
+                                           grf::Diagnostics& diagnostics,
+                                           const grf::SourceLocation& asked_for_at,
+                                           const std::stop_token& stop) const;
+  Result decode(const QString& path, bool has_layers, const std::stop_token& stop) const;
 
   QString program_;
   Limits limits_;

@@ -15,6 +15,17 @@
 #include "renderer/job/camera_path.h"
 
 namespace editor {
+namespace {
+
+/// Keeps an image as it is, if possible as a hard link, at no cost: the renderer replaces files instead of
+/// writing into them.
+bool keep_copy(const QString& image, const QString& copy) {
+  return ::link(QFile::encodeName(image).constData(), QFile::encodeName(copy).constData()) == 0 ||
+         QFile::copy(image, copy);
+}
+
+}  // namespace
+
 FinalRender::FinalRender(QString program, QObject* parent) : QObject(parent), process_(std::move(program)) {
   connect(&writing_, &QFutureWatcher<Files>::finished, this, [this] { run(writing_.result()); });
   connect(&reading_, &QFutureWatcher<Outcome>::finished, this, &FinalRender::finish);
@@ -90,17 +101,23 @@ void FinalRender::start(FinalRenderRequest request) {
   request.options.shows_window = false;
   if (!display_.isEmpty()) request.options.display_server = display_.toStdString();
   emit started(output_);
-  writing_.setFuture(QtConcurrent::run([request = std::move(request), base] {
+  // Frames of an animation are compared with nothing.
+  const QString replaced = images_.size() == 1 ? output_ : QString();
+  const QString former = base + "_former." + QFileInfo(output_).suffix();
+  writing_.setFuture(QtConcurrent::run([request = std::move(request), base, replaced, former] {
     grf::Diagnostics diagnostics;
     const bool is_written = write_snapshot(request.scene, request.path, base + ".grf", diagnostics) &&
                             write_op_file(request.options, base + ".op", diagnostics);
-    return is_written ? Files{base + ".op", {}} : Files{{}, text_of(diagnostics)};
+    const bool is_kept = QFile::exists(replaced) && keep_copy(replaced, former);
+    return is_written ? Files{base + ".op", {}, is_kept ? former : QString()}
+                      : Files{{}, text_of(diagnostics), {}};
   }));
 }
 
 void FinalRender::run(const Files& files) {
   if (files.options.isEmpty()) return give_up(files.problem);
   if (is_stopped_) return give_up(tr("stopped before the first image"));
+  former_ = files.former;
   process_.start({"render", files.options, "--progress", "json", "--json"});
 }
 
@@ -139,16 +156,13 @@ void FinalRender::end(const RendererEnd& end) {
   result.image = output_;
   result.summary = *summary_;
   result.is_stopped = end.is_interrupted;
+  result.former = former_;
   const QString copy = folder_.filePath(QString("render%1.%2").arg(number_).arg(QFileInfo(output_).suffix()));
   reading_.setFuture(QtConcurrent::run(&FinalRender::read_result, result, copy));
 }
 
-/// Keeps a hard link, at no cost: the renderer replaces files instead of writing into them.
 FinalRender::Outcome FinalRender::read_result(FinalRenderResult result, const QString& copy) {
-  const bool is_kept =
-      ::link(QFile::encodeName(result.image).constData(), QFile::encodeName(copy).constData()) == 0 ||
-      QFile::copy(result.image, copy);
-  result.copy = is_kept ? copy : result.image;
+  result.copy = keep_copy(result.image, copy) ? copy : result.image;
   grf::Diagnostics ignored_diagnostics;  // the renderer has just written it
   Outcome left = {std::move(result), nullptr};
   auto image = transport::read_image(left.result.image.toStdString(), ignored_diagnostics);

@@ -30,8 +30,9 @@ struct FinalRenderRequest {
 
 /// The result of a final render.
 struct FinalRenderResult {
-  QString image;  ///< path; of an animation, that of the last frame
-  QString copy;   ///< path of a copy that later renders do not overwrite, until this session ends
+  QString image;   ///< path; of an animation, that of the last frame
+  QString copy;    ///< path of a copy that later renders do not overwrite, until this session ends
+  QString former;  ///< path of such a copy of the image that this one replaced; empty if there was none
   RenderSummary summary;
   bool is_stopped = false;  ///< before it had all samples or reached its target error
 };
@@ -55,6 +56,8 @@ class FinalRender : public QObject {
   QStringList images_of(const FinalRenderRequest& request) const;
   /// Whether the output exists and was not rendered in this session.
   bool is_from_other_session(const QString& output) const;
+  /// Whether an image was, or is being, rendered in this session.
+  bool has_rendered(const QString& image) const { return image == output_ || rendered_.contains(image); }
   /// Renders to the request's output. `failed` reports why it cannot start.
   void start(FinalRenderRequest request);
   /// Stops the render; the image is kept and marked as stopped.
@@ -83,6 +86,7 @@ class FinalRender : public QObject {
   struct Files {
     QString options;  ///< path of an OP file; empty if it could not be written
     QString problem;
+    QString former;  ///< path of a copy of the image that is replaced; empty if there is none
   };
 
   /// The result and its image; null if it cannot be read.
@@ -113,6 +117,7 @@ class FinalRender : public QObject {
   QFutureWatcher<Outcome> reading_;
   RendererProcess process_;
   std::optional<RenderSummary> summary_;
+  QString former_;  ///< see FinalRenderResult
 };
 
 }  // namespace editor

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
@@ -48,37 +49,80 @@ class FormDialog : public QDialog {
   QDialogButtonBox* buttons_;
 };
 
-std::vector<std::string> checked_names(const QListWidget& list, const RenderOptions& render_options) {
-  std::vector<std::string> names;
+std::vector<std::size_t> checked_rows(const QListWidget& list) {
+  std::vector<std::size_t> rows;
   for (int row = 0; row < list.count(); ++row) {
-    if (list.item(row)->checkState() != Qt::Checked) continue;
-    names.push_back(row == 0 ? "" : render_options.cameras[static_cast<std::size_t>(row - 1)].name);
+    if (list.item(row)->checkState() == Qt::Checked) rows.push_back(static_cast<std::size_t>(row));
   }
-  return names;
+  return rows;
+}
+
+/// The texts of a dialog with a list whose checked rows are rendered.
+struct ListTexts {
+  QString title;
+  QString name;  ///< accessible name of the list
+  QString tip;
+  QString accept_tip;
+  QString none_checked;
+};
+
+/// Asks which rows of a list to render; at first all are checked. Returns nothing if it is cancelled.
+std::optional<std::vector<std::size_t>> ask_for_rows(const ListTexts& texts,
+                                                     const std::vector<std::pair<QString, QString>>& rows,
+                                                     QWidget* parent) {
+  FormDialog dialog(texts.title, parent);
+  auto* list = new QListWidget(&dialog);
+  list->setAccessibleName(texts.name);
+  list->setToolTip(texts.tip);
+  for (const auto& [text, tip] : rows) {
+    auto* item = new QListWidgetItem(text, list);
+    item->setToolTip(tip);
+    item->setCheckState(Qt::Checked);
+  }
+  list->setCurrentRow(0);
+  dialog.form().addRow(list);
+  QObject::connect(list, &QListWidget::itemChanged, &dialog, [&] {
+    enable(dialog.ok(), texts.accept_tip, checked_rows(*list).empty() ? texts.none_checked : QString());
+  });
+  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  return checked_rows(*list);
 }
 
 }  // namespace
 
 std::optional<std::vector<std::string>> ask_for_cameras(const RenderOptions& render_options,
                                                         QWidget* parent) {
-  FormDialog dialog(RenderPanel::tr("Render cameras"), parent);
-  auto* list = new QListWidget(&dialog);
-  list->setAccessibleName(RenderPanel::tr("Cameras to render"));
-  list->setToolTip(RenderPanel::tr("Each checked camera becomes a job; Space checks one"));
-  list->addItem(RenderPanel::tr("Render camera"));
+  std::vector<std::pair<QString, QString>> rows = {{RenderPanel::tr("Render camera"), {}}};
   for (const options::NamedCamera& camera : render_options.cameras) {
-    list->addItem(QString::fromStdString(camera.name));
+    rows.emplace_back(QString::fromStdString(camera.name), QString());
   }
-  for (int row = 0; row < list->count(); ++row) list->item(row)->setCheckState(Qt::Checked);
-  list->setCurrentRow(0);
-  dialog.form().addRow(list);
-  QObject::connect(list, &QListWidget::itemChanged, &dialog, [&] {
-    enable(
-        dialog.ok(), RenderPanel::tr("Queue a render per camera"),
-        checked_names(*list, render_options).empty() ? RenderPanel::tr("No camera is checked") : QString());
-  });
-  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
-  return checked_names(*list, render_options);
+  const auto checked =
+      ask_for_rows({RenderPanel::tr("Render cameras"), RenderPanel::tr("Cameras to render"),
+                    RenderPanel::tr("Each checked camera becomes a job; Space checks one"),
+                    RenderPanel::tr("Queue a render per camera"), RenderPanel::tr("No camera is checked")},
+                   rows, parent);
+  if (!checked) return std::nullopt;
+  std::vector<std::string> names;
+  for (const std::size_t row : *checked)
+    names.push_back(row == 0 ? "" : render_options.cameras[row - 1].name);
+  return names;
+}
+
+std::optional<std::vector<EffectRender>> ask_for_effects(const std::vector<EffectRender>& effects,
+                                                         QWidget* parent) {
+  std::vector<std::pair<QString, QString>> rows;
+  for (const EffectRender& effect : effects) {
+    rows.emplace_back(QString::fromStdString(effect.name), QString::fromStdString(effect.why));
+  }
+  const auto checked =
+      ask_for_rows({RenderPanel::tr("Render effects separately"), RenderPanel::tr("Effects to render"),
+                    RenderPanel::tr("Each checked effect becomes a job; Space checks one"),
+                    RenderPanel::tr("Queue a render per effect"), RenderPanel::tr("No effect is checked")},
+                   rows, parent);
+  if (!checked) return std::nullopt;
+  std::vector<EffectRender> chosen;
+  for (const std::size_t row : *checked) chosen.push_back(effects[row]);
+  return chosen;
 }
 
 std::optional<RenderOptions> ask_for_animation(const RenderOptions& render_options, QWidget* parent) {

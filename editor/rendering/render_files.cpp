@@ -31,4 +31,8 @@ QString file_of_camera(const QString& file, const std::string& camera) {
   return info.dir().filePath(info.completeBaseName() + "_" + name + "." + info.suffix());
 }
 
+QString file_of_effect(const QString& file, const std::string& effect) {
+  return file_of_camera(file, "effect_" + effect);
+}
+
 }  // namespace editor

@@ -20,5 +20,7 @@ bool write_snapshot(const grf::Scene& scene, const QString& scene_path, const QS
 /// The image of a camera: `scene_side.exr` for `scene.exr`; the same file for the camera without a name. A
 /// camera may have any name, a file may not: other letters become underscores.
 QString file_of_camera(const QString& file, const std::string& camera);
+/// The image of an effect: `scene_effect_textures.exr` for `scene.exr`.
+QString file_of_effect(const QString& file, const std::string& effect);
 
 }  // namespace editor

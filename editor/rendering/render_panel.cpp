@@ -19,11 +19,13 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/form_widgets.h"
+#include "editor/controls/text.h"
 #include "editor/document/document.h"
 #include "editor/document/geometry_edits.h"
 #include "editor/document/op_document.h"
 #include "editor/document/op_files.h"
 #include "editor/jobs/job_list.h"
+#include "editor/rendering/effect_renders.h"
 #include "editor/rendering/error_curve.h"
 #include "editor/rendering/fitted_image.h"
 #include "editor/rendering/forecast_row.h"
@@ -83,9 +85,14 @@ void RenderPanel::make_actions() {
   cameras_action_ =
       make("camera", tr("Render &cameras…"), Qt::CTRL | Qt::Key_F6, &RenderPanel::render_cameras);
   cameras_action_->setToolTip(tr("Queue a render per camera that is chosen"));
+  effects_action_ = make("render", tr("Render &effects separately…"), Qt::CTRL | Qt::SHIFT | Qt::Key_F6,
+                         &RenderPanel::render_effects);
+  effects_action_->setToolTip(tr("Queue a render per effect that the scene has, such as textures"));
   animation_action_ =
       make("render", tr("Render &animation…"), Qt::SHIFT | Qt::Key_F6, &RenderPanel::render_animation);
   animation_action_->setToolTip(tr("Queue a render of a turntable, or of a path through the cameras"));
+  compare_action_ = make("swap", tr("Compare with the &last render"), QKeySequence("Ctrl+Alt+C"),
+                         &RenderPanel::comparison_requested);
   stop_action_ = make("stop", tr("Stop"), Qt::SHIFT | Qt::Key_F5, &RenderPanel::stop);
   options_action_ = make("options", tr("Options…"), {}, &RenderPanel::options_requested);
   options_action_->setToolTip(tr("All render options, with their meanings"));
@@ -210,6 +217,8 @@ void RenderPanel::connect_final() {
 
 void RenderPanel::finish(const FinalRenderResult& result) {
   if (image_->image()) history_->add(result, *image_->image());
+  std::erase_if(replacements_, [&](const auto& former) { return former.image == result.image; });
+  if (!result.former.isEmpty()) replacements_.push_back(result);
   if (!result.is_stopped) progress_->setValue(progress_->maximum());
   QString text = result.is_stopped ? tr("Stopped, image kept") : tr("Done");
   text += " · " + tr("%1 samples").arg(result.summary.samples, 0, 'g', 4) + " · " +
@@ -253,19 +262,51 @@ FinalRenderRequest RenderPanel::final_request() const {
 
 void RenderPanel::render() {
   settings_->commit();
-  queue(final_request());
+  queue({final_request()});
 }
 
 void RenderPanel::render_cameras() {
   settings_->commit();
   const auto names = ask_for_cameras(options_.valid_options(), this);
   if (!names) return;
+  std::vector<FinalRenderRequest> requests;
   for (const std::string& name : *names) {
-    FinalRenderRequest request = final_request();
+    FinalRenderRequest& request = requests.emplace_back(final_request());
     request.options.output = file_of_camera(final_.output_of(request), name).toStdString();
     request.options.camera = name;
-    queue(std::move(request));
   }
+  queue(std::move(requests));
+}
+
+/// Planning takes long for a large scene.
+void RenderPanel::render_effects() {
+  settings_->commit();
+  using Planned = std::pair<std::vector<EffectRender>, QString>;
+  const auto plan = [request = final_request()] {
+    grf::Diagnostics diagnostics;
+    auto effects = effect_renders(request, diagnostics);
+    return Planned(std::move(effects), text_of(diagnostics));
+  };
+  const auto take = [this, request = final_request()](const Planned& planned) {
+    log(planned.second);
+    choose_effects(request, planned.first);
+  };
+  jobs_.add({tr("Find the effects of the scene"),
+             QStringLiteral("plans"),
+             [plan, take](Job& job) { job.run(plan, take); },
+             {},
+             tr("Cancel: nothing is rendered")});
+}
+
+void RenderPanel::choose_effects(const FinalRenderRequest& request,
+                                 const std::vector<EffectRender>& effects) {
+  if (effects.empty()) return show_status(tr("The plan finds no effect to render"));
+  const auto chosen = ask_for_effects(effects, this);
+  if (!chosen) return;
+  std::vector<FinalRenderRequest> requests;
+  for (const EffectRender& effect : *chosen) requests.push_back(request_of(effect, request, final_));
+  emit images_requested();
+  queue(std::move(requests));
 }
 
 void RenderPanel::render_animation() {
@@ -274,22 +315,29 @@ void RenderPanel::render_animation() {
   if (!animation) return;
   FinalRenderRequest request = final_request();
   request.options = *animation;
-  queue(std::move(request));
+  queue({std::move(request)});
 }
 
-/// Renders the scene and its options as they are now, also if the render is queued.
-void RenderPanel::queue(FinalRenderRequest request) {
-  const QStringList images = final_.images_of(request);
-  const auto other = std::ranges::find_if(
-      images, [this](const QString& image) { return final_.is_from_other_session(image); });
-  request.may_overwrite = other != images.end();
-  if (request.may_overwrite && !may_overwrite(*other)) return;
+/// Renders the scene and its options as they are now, also if a render is queued.
+void RenderPanel::queue(std::vector<FinalRenderRequest> requests) {
+  QStringList others;
+  for (FinalRenderRequest& request : requests) {
+    for (const QString& image : final_.images_of(request)) {
+      if (!final_.is_from_other_session(image)) continue;
+      request.may_overwrite = true;
+      others << image;
+    }
+  }
+  if (!others.isEmpty() && !may_overwrite(others)) return;
   keep_op_file();
-  const QString name = QFileInfo(images.front()).fileName();
-  const auto more = images.size() - 1;
-  jobs_.add({more > 0 ? tr("Render %1 and %2 more").arg(name).arg(more) : tr("Render %1").arg(name),
-             RenderQueue, [this, request](Job& job) { begin(job, request); }, [this] { stop(); },
-             tr("Stop this render and keep its image")});
+  for (const FinalRenderRequest& request : requests) {
+    const QStringList images = final_.images_of(request);
+    const QString name = QFileInfo(images.front()).fileName();
+    const auto more = images.size() - 1;
+    jobs_.add({more > 0 ? tr("Render %1 and %2 more").arg(name).arg(more) : tr("Render %1").arg(name),
+               RenderQueue, [this, request](Job& job) { begin(job, request); }, [this] { stop(); },
+               tr("Stop this render and keep its image")});
+  }
 }
 
 void RenderPanel::begin(Job& job, const FinalRenderRequest& request) {
@@ -304,10 +352,22 @@ void RenderPanel::end_job() {
   if (job_) job_->end();
 }
 
-bool RenderPanel::may_overwrite(const QString& image) {
-  QMessageBox question(QMessageBox::Warning, tr("Replace the image"), tr("%1 exists.").arg(image),
+const FinalRenderResult* RenderPanel::last_render_of(const QString& image) const {
+  if (replacements_.empty()) return nullptr;
+  const auto found = std::ranges::find_if(
+      replacements_, [&](const auto& result) { return result.image == image || result.copy == image; });
+  return found == replacements_.end() ? &replacements_.back() : &*found;
+}
+
+bool RenderPanel::may_overwrite(const QStringList& images) {
+  const auto more = images.size() - 1;
+  const QString what = more == 0 ? tr("%1 exists.").arg(images.front())
+                                 : tr("%1 and %2 more images exist.").arg(images.front()).arg(more);
+  QMessageBox question(QMessageBox::Warning, tr("Replace the image"), what,
                        QMessageBox::Save | QMessageBox::Cancel, this);
-  question.setInformativeText(tr("It was not rendered in this session. Rendering overwrites it."));
+  question.setInformativeText(more == 0
+                                  ? tr("It was not rendered in this session. Rendering overwrites it.")
+                                  : tr("They were not rendered in this session. Rendering overwrites them."));
   question.button(QMessageBox::Save)->setText(tr("Replace"));
   question.setDefaultButton(QMessageBox::Cancel);
   return question.exec() == QMessageBox::Save;
@@ -380,6 +440,9 @@ void RenderPanel::update_actions() {
   set(render_action_, true,
       renders ? tr("Queue a render of the scene as it is now")
               : tr("Render the scene as it is now to the image file"));
+  set(compare_action_, !replacements_.empty(),
+      replacements_.empty() ? tr("No render of this session has replaced an image yet: render once more")
+                            : tr("Compare the image of the last render with the one that it replaced"));
   set(stop_action_, renders || preview_.is_on(),
       renders            ? tr("Stop the render and keep its image")
       : preview_.is_on() ? tr("Stop the preview")

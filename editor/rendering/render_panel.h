@@ -5,6 +5,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <optional>
+#include <vector>
 
 #include "editor/jobs/background_job.h"
 #include "editor/rendering/final_render.h"
@@ -28,6 +29,7 @@ class JobList;
 class OpDocument;
 class RenderHistory;
 class RenderSettingsRow;
+struct EffectRender;
 
 /// A preview in a 3D view replaces the size and the camera of the render options by these.
 struct PreviewView {
@@ -61,11 +63,16 @@ class RenderPanel : public QWidget {
 
   Preview& preview() { return preview_; }
   FinalRender& final_render() { return final_; }
+  /// The render of this session that wrote an image, or of which it is a copy; else the last render that
+  /// replaced an image. Null if there is none.
+  const FinalRenderResult* last_render_of(const QString& image) const;
   // Actions for menus; their shortcuts are those of the window.
   QAction* preview_action() const { return preview_action_; }
   QAction* render_action() const { return render_action_; }
   QAction* cameras_action() const { return cameras_action_; }
+  QAction* effects_action() const { return effects_action_; }
   QAction* animation_action() const { return animation_action_; }
+  QAction* compare_action() const { return compare_action_; }
   QAction* stop_action() const { return stop_action_; }
   QAction* options_action() const { return options_action_; }
 
@@ -76,6 +83,10 @@ class RenderPanel : public QWidget {
   void options_requested();
   /// Requests to open an image file in the image view.
   void image_opened(const QString& path);
+  /// Requests to compare the image of the last render with its former state in the image view.
+  void comparison_requested();
+  /// Requests to show the image view, in which the images of renders appear.
+  void images_requested();
   /// Requests to open the preview in the image view.
   void preview_opened();
   /// Emitted when the OP file beside the scene differs from the current render settings, which saving the
@@ -104,13 +115,15 @@ class RenderPanel : public QWidget {
   void show_in_preview(const grf::Scene& scene);
   void render();
   void render_cameras();
+  void render_effects();
+  void choose_effects(const FinalRenderRequest& request, const std::vector<EffectRender>& effects);
   void render_animation();
   FinalRenderRequest final_request() const;
-  void queue(FinalRenderRequest request);
+  void queue(std::vector<FinalRenderRequest> requests);
   void begin(Job& job, const FinalRenderRequest& request);
   void end_job();
   void stop();
-  bool may_overwrite(const QString& image);
+  bool may_overwrite(const QStringList& images);
   void keep_op_file();
   void show_options();
   void finish(const FinalRenderResult& result);
@@ -128,17 +141,20 @@ class RenderPanel : public QWidget {
   std::optional<transport::View> view_;
   int threads_ = 0;
   std::optional<PreviewView> preview_view_;
-  bool follows_ = false;                      ///< whether the preview of a view follows edits
-  options::RenderOptions previewed_options_;  ///< of the last preview
-  QString image_path_;                        ///< of the shown image; empty for the preview
-  options::RenderOptions forecast_options_;   ///< what the last forecast depends on
+  bool follows_ = false;                         ///< whether the preview of a view follows edits
+  options::RenderOptions previewed_options_;     ///< of the last preview
+  QString image_path_;                           ///< of the shown image; empty for the preview
+  std::vector<FinalRenderResult> replacements_;  ///< the last render of each image that replaced one
+  options::RenderOptions forecast_options_;      ///< what the last forecast depends on
   bool is_forecast_outdated_ = true;
   bool resumes_after_ = false;  ///< whether the preview was paused for a render
 
   QAction* preview_action_;
   QAction* render_action_;
   QAction* cameras_action_;
+  QAction* effects_action_;
   QAction* animation_action_;
+  QAction* compare_action_;
   QAction* stop_action_;
   QAction* options_action_;
   RenderSettingsRow* settings_;

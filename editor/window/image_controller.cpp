@@ -1,6 +1,7 @@
 #include "editor/window/image_controller.h"
 
 #include <QAction>
+#include <QFileInfo>
 #include <QMenu>
 #include <memory>
 
@@ -14,6 +15,8 @@ namespace {
 
 /// The name of the preview in the list of images.
 const char PreviewName[] = "preview";
+/// Milliseconds after a render in which parts of its image may still arrive.
+constexpr int LateTime = 2000;
 
 }  // namespace
 
@@ -22,19 +25,20 @@ ImageController::ImageController(RenderPanel& render, Pages& pages, QMenu& menu,
   menu_.menuAction()->setVisible(false);
   if (!server_->listen()) server_->listen(0);  // another viewer uses the default port
   render_.final_render().set_display(QString("127.0.0.1:%1").arg(server_->port()));
-  connect(server_, &ImageServer::received, this,
-          [this](const QString& name, const std::shared_ptr<const transport::Image>& image) {
-            render_.final_render().show(name, image);
-            const bool is_ours = name == render_.final_render().output();
-            if (!is_ours) return browser().show_image(name, image);
-            if (pages_.indexOf(browser_) >= 0) browser_->show_image_of(name, image);
-          });
+  connect(server_, &ImageServer::received, this, &ImageController::take_sent);
   connect_renders();
 }
 
 void ImageController::connect_renders() {
   connect(&render_, &RenderPanel::image_opened, this,
           [this](const QString& path) { browser().open_files({path}); });
+  connect(&render_, &RenderPanel::images_requested, this, [this] { browser(); });
+  connect(&render_, &RenderPanel::comparison_requested, this, &ImageController::compare_with_last);
+  // The file has layers, which the images that are sent of it do not have.
+  connect(&render_.final_render(), &FinalRender::finished, this, [this](const FinalRenderResult& result) {
+    late_.setRemainingTime(LateTime);
+    if (pages_.indexOf(browser_) >= 0) browser_->reload(result.image);
+  });
   connect(&render_, &RenderPanel::preview_opened, this, [this] {
     if (render_.preview().image()) browser().show_image(PreviewName, render_.preview().image());
   });
@@ -45,6 +49,24 @@ void ImageController::connect_renders() {
   });
 }
 
+/// An image that arrives after its render has ended, perhaps while the next one is running, is not shown: its
+/// file was loaded.
+void ImageController::take_sent(const QString& name, const std::shared_ptr<const transport::Image>& image) {
+  FinalRender& final_render = render_.final_render();
+  final_render.show(name, image);
+  if (!final_render.has_rendered(name)) return browser().show_image(name, image);
+  const bool is_running = final_render.is_running();
+  const bool is_late = is_running ? name != final_render.output() : !late_.hasExpired();
+  if (!is_late && pages_.indexOf(browser_) >= 0) browser_->show_image_of(name, image);
+}
+
+void ImageController::compare_with_last() {
+  const FinalRenderResult* result =
+      render_.last_render_of(browser_ != nullptr ? browser_->shown_path() : QString());
+  if (result == nullptr) return;
+  browser().compare(result->image, result->former, tr("%1, before").arg(QFileInfo(result->image).fileName()));
+}
+
 ImageBrowser& ImageController::browser() {
   if (browser_ == nullptr) {
     browser_ = new ImageBrowser(&pages_);
@@ -53,7 +75,7 @@ ImageBrowser& ImageController::browser() {
     menu_.addSeparator();
     menu_.addActions(tools.of_view);
     menu_.addSeparator();
-    menu_.addActions({tools.flip, tools.swap});
+    menu_.addActions({tools.flip, tools.swap, tools.next_layer, tools.previous_layer});
     menu_.menuAction()->setVisible(true);
   }
   pages_.show_page(*browser_, tr("Images"), tr("View and compare images of renders and files"));

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <QDeadlineTimer>
 #include <QObject>
+#include <memory>
+
+#include "renderer/transport/image/image.h"
 
 class QMenu;
 
@@ -24,12 +28,15 @@ class ImageController : public QObject {
 
  private:
   void connect_renders();
+  void compare_with_last();
+  void take_sent(const QString& name, const std::shared_ptr<const transport::Image>& image);
 
   RenderPanel& render_;
   Pages& pages_;
   QMenu& menu_;
   ImageServer* server_;
   ImageBrowser* browser_ = nullptr;
+  QDeadlineTimer late_;  ///< for what is sent of a finished render
 };
 
 }  // namespace editor

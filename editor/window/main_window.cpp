@@ -146,9 +146,9 @@ void MainWindow::make_docks() {
   QDockWidget* lights = docks_.add({"lights", tr("Lights"), "light", QKeySequence("Ctrl+2"),
                                     tr("Area lights, mesh lights and emissive faces of the scene")},
                                    Qt::LeftDockWidgetArea, lights_);
-  QDockWidget* object = docks_.add({"object", tr("Object"), "transform", QKeySequence("Ctrl+9"),
-                                    tr("Position, rotation and scale of the selected object")},
-                                   Qt::LeftDockWidgetArea, object_);
+  object_dock_ = docks_.add({"object", tr("Object"), "transform", QKeySequence("Ctrl+9"),
+                             tr("Position, rotation and scale of the selected object")},
+                            Qt::LeftDockWidgetArea, object_);
   QDockWidget* cameras = docks_.add({"cameras", tr("Cameras"), "camera", QKeySequence("Ctrl+Alt+9"),
                                      tr("Cameras of the scene: position, lens and focus")},
                                     Qt::LeftDockWidgetArea, cameras_);
@@ -172,8 +172,8 @@ void MainWindow::make_docks() {
                                      tr("The undo steps, to go back to any of them")},
                                     Qt::LeftDockWidgetArea, steps);
   splitDockWidget(tree, lights, Qt::Vertical);
-  tabifyDockWidget(lights, object);
-  tabifyDockWidget(object, cameras);
+  tabifyDockWidget(lights, object_dock_);
+  tabifyDockWidget(object_dock_, cameras);
   tabifyDockWidget(cameras, history);
   lights->raise();
   splitDockWidget(surface, brdf_dock_, Qt::Vertical);
@@ -288,6 +288,10 @@ void MainWindow::connect_actions() {
                                                                             : std::nullopt);
                             }});
   });
+  connect(object_actions_, &ObjectActions::shape_added, this, [this](const PrimitiveShape& shape) {
+    object_->show_new_shape(shape);
+    Docks::show(object_dock_);
+  });
   connect(object_actions_, &ObjectActions::status_message, this, &MainWindow::show_status);
 }
 
@@ -321,8 +325,8 @@ void MainWindow::connect_renders() {
   // Starting a render shows its dock.
   const auto show_render = [this] { Docks::show(render_dock_); };
   connect(render_->preview_action(), &QAction::triggered, this, show_render);
-  for (const QAction* action :
-       {render_->render_action(), render_->cameras_action(), render_->animation_action()}) {
+  for (const QAction* action : {render_->render_action(), render_->cameras_action(),
+                                render_->effects_action(), render_->animation_action()}) {
     connect(action, &QAction::triggered, this, show_render);
   }
   connect(render_, &RenderPanel::preview_starting, this, &MainWindow::light_first_preview);

@@ -138,6 +138,7 @@ class MainWindow : public QMainWindow {
   BrdfEditor* brdf_editor_ = nullptr;
   RenderPanel* render_ = nullptr;
   MessagePanel* messages_ = nullptr;
+  QDockWidget* object_dock_ = nullptr;
   QDockWidget* render_dock_ = nullptr;
   QDockWidget* message_dock_ = nullptr;
   QDockWidget* brdf_dock_ = nullptr;

@@ -69,8 +69,9 @@ void MainWindow::make_menus() {
   make_scene_menu();
   QMenu* render = add_menu(*menuBar(), tr("&Render"));
   render->addActions({render_->preview_action(), render_->render_action(), render_->cameras_action(),
-                      render_->animation_action(), render_->stop_action()});
+                      render_->effects_action(), render_->animation_action(), render_->stop_action()});
   render->addSeparator();
+  render->addAction(render_->compare_action());
   render->addSeparator();
   rendered_mode_->fill(*render);
   render->addSeparator();
@@ -167,7 +168,7 @@ void MainWindow::make_scene_menu() {
                      "flipped normals, duplicates, values that are not finite")},
                  [this] { show_risks(); }));
   menu->addAction(new_action(*this,
-                             {tr("&Bake irradiance"), "bake", QKeySequence("Ctrl+Alt+B"),
+                             {tr("Ba&ke irradiance"), "bake", QKeySequence("Ctrl+Alt+B"),
                               tr("Bake the irradiance at all vertices and store it in the scene")},
                              [this] { bake_->bake(); }));
 }

@@ -64,10 +64,10 @@ MeshActions::MeshActions(Document& document, JobList& jobs, QWidget& window)
   };
   add(tr("Subdivide (&Catmull-Clark)"), tr("Subdivide the meshes %1; a face with n corners becomes n quads"),
       [this] { subdivide(convert::SubdivisionScheme::CatmullClark); });
-  add(tr("Subdivide (L&oop)"),
+  add(tr("Subdi&vide (Loop)"),
       tr("Subdivide the meshes %1; they are triangulated, and each triangle becomes four"),
       [this] { subdivide(convert::SubdivisionScheme::Loop); });
-  add(tr("&Smooth vertices"), tr("Smooth noise and small features of the meshes %1"), [this] { smooth(); });
+  add(tr("S&mooth vertices"), tr("Smooth noise and small features of the meshes %1"), [this] { smooth(); });
   of_meshes_.append(
       new_action(window,
                  {tr("&Recalculate outside"),

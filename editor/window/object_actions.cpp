@@ -34,6 +34,7 @@ ObjectActions::ObjectActions(Document& document, SceneView& view, QWidget& windo
   make_options();
   make_placements();
   make_structure();
+  make_moves();
   make_alignments();
   connect(gizmo_, &GizmoInput::transform_made, this, &ObjectActions::apply);
   connect(gizmo_, &GizmoInput::status_message, this, &ObjectActions::status_message);
@@ -53,7 +54,7 @@ void ObjectActions::make_additions() {
   add(Shape::Plane, tr("Add a &plane"), tr("Add a square that faces up, on the floor at the orbit centre"));
   add(Shape::Box, tr("Add a &box"), tr("Add a cube on the floor at the orbit centre"));
   add(Shape::Sphere, tr("Add a &sphere"), tr("Add a sphere on the floor at the orbit centre"));
-  add(Shape::Cylinder, tr("Add a &cylinder"), tr("Add a closed cylinder on the floor at the orbit centre"));
+  add(Shape::Cylinder, tr("Add a c&ylinder"), tr("Add a closed cylinder on the floor at the orbit centre"));
   add(Shape::Disc, tr("Add a &disc"), tr("Add a disc that faces up, on the floor at the orbit centre"));
   add(Shape::Torus, tr("Add a &torus"), tr("Add a torus on the floor at the orbit centre"));
   additions_.append(new_action(
@@ -72,6 +73,7 @@ void ObjectActions::add_shape(PrimitiveShape::Kind kind) {
   const PrimitiveShape shape = shape_of_size(kind, proportionate_size(objects.mesh_bounds));
   document_.replace_objects(tr("Add %1").arg(QString::fromUtf8(name_of(kind).data())),
                             add_mesh(document_.scene(), objects, mesh_of(shape), {centre.x, 0, centre.z}));
+  emit shape_added(shape);
 }
 
 void ObjectActions::make_gizmos() {
@@ -85,12 +87,12 @@ void ObjectActions::make_gizmos() {
     gizmos_->addAction(action);
     return action;
   };
-  add(tr("&Move gizmo"), "move", QKeySequence("Shift+G"), Kind::Translation,
+  add(tr("Mo&ve gizmo"), "move", QKeySequence("Shift+G"), Kind::Translation,
       tr("Show arrows that move the selected objects along axes and in planes"))
       ->setChecked(true);
-  add(tr("&Rotate gizmo"), "rotate", QKeySequence("Shift+R"), Kind::Rotation,
+  add(tr("Rota&te gizmo"), "rotate", QKeySequence("Shift+R"), Kind::Rotation,
       tr("Show rings that rotate the selected objects"));
-  add(tr("&Scale gizmo"), "scale", QKeySequence("Shift+S"), Kind::Scale,
+  add(tr("S&cale gizmo"), "scale", QKeySequence("Shift+S"), Kind::Scale,
       tr("Show handles that scale the selected objects"));
 }
 
@@ -127,7 +129,7 @@ void ObjectActions::make_options() {
   add(tr("&Active object"), PivotPoint::Active, tr("Rotate and scale about the origin of the last object"));
   add(tr("&World origin"), PivotPoint::World, tr("Rotate and scale about the origin of the world"));
   options_ = {new_switch(window_,
-                         {tr("&Local axes"),
+                         {tr("Local a&xes"),
                           {},
                           QKeySequence("Ctrl+Alt+O"),
                           tr("Move, rotate and scale along the axes of the object instead of the world")},
@@ -137,7 +139,7 @@ void ObjectActions::make_options() {
                            update_target();
                          }),
               new_switch(window_,
-                         {tr("S&nap"), "snap", QKeySequence("Ctrl+Alt+S"),
+                         {tr("Sn&ap"), "snap", QKeySequence("Ctrl+Alt+S"),
                           tr("Snap to the grid, to 5° and to factors of 0.1; Ctrl inverts it")},
                          false, [this](bool is_on) { gizmo_->set_snapping(is_on); })};
 }
@@ -203,7 +205,7 @@ void ObjectActions::make_structure() {
                     [this](grf::Diagnostics& diagnostics) {
                       return ungroup_objects(document_.scene(), document_.selected_objects(), diagnostics);
                     }),
-      add_placement(tr("Make sing&le"), {}, tr("Turn the selected instances into meshes of their own"),
+      add_placement(tr("Ma&ke single"), {}, tr("Turn the selected instances into meshes of their own"),
                     [this](grf::Diagnostics& diagnostics) {
                       return make_single(document_.scene(), document_.selected_objects(), diagnostics);
                     }),
@@ -212,6 +214,30 @@ void ObjectActions::make_structure() {
                     [this](grf::Diagnostics& diagnostics) {
                       return make_instance(document_.scene(), document_.selected_objects().back(),
                                            diagnostics);
+                    })};
+}
+
+void ObjectActions::make_moves() {
+  const auto shift = [this](int step) {
+    return [this, step](grf::Diagnostics&) {
+      return std::optional(shift_objects(document_.scene(), document_.selected_objects(), step));
+    };
+  };
+  moves_ = {
+      add_placement(tr("Move up in the list"), QKeySequence("Alt+Up"),
+                    tr("Move the selected objects up by one place in the list of the scene"), shift(-1)),
+      add_placement(tr("Move down in the list"), QKeySequence("Alt+Down"),
+                    tr("Move the selected objects down by one place in the list of the scene"), shift(1)),
+      add_placement(tr("Move out of the group"), QKeySequence("Alt+Left"),
+                    tr("Move the selected objects out of their group, behind it; they stay in place"),
+                    [this](grf::Diagnostics& diagnostics) {
+                      return move_out_of_group(document_.scene(), document_.selected_objects(), diagnostics);
+                    }),
+      add_placement(tr("Move into the group above"), QKeySequence("Alt+Right"),
+                    tr("Move the selected objects into the group above them in the list; they stay in "
+                       "place"),
+                    [this](grf::Diagnostics& diagnostics) {
+                      return move_into_group(document_.scene(), document_.selected_objects(), diagnostics);
                     })};
 }
 
@@ -242,7 +268,7 @@ void ObjectActions::make_alignments() {
 void ObjectActions::update_target() {
   const std::vector<grf::ScenePath>& selected = document_.selected_objects();
   const bool has_objects = !selected.empty();
-  for (QAction* action : gestures_ + placements_ + structure_ + mirrors_ + alignments_)
+  for (QAction* action : gestures_ + placements_ + structure_ + moves_ + mirrors_ + alignments_)
     action->setEnabled(has_objects);
   if (!has_objects) return gizmo_->set_target(std::nullopt);
   GizmoTarget target;
@@ -301,10 +327,11 @@ void ObjectActions::fill(QMenu& menu) {
   menu.addActions(options_);
   menu.addSeparator();
   menu.addActions(structure_);
+  add_menu(tr("Order in the list"), moves_);
   menu.addSeparator();
   menu.addActions(placements_);
-  add_menu(tr("M&irror"), mirrors_);
-  add_menu(tr("&Align and distribute"), alignments_);
+  add_menu(tr("Mirr&or"), mirrors_);
+  add_menu(tr("Align and distri&bute"), alignments_);
 }
 
 void ObjectActions::fill(QToolBar& bar) {

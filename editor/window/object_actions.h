@@ -42,6 +42,8 @@ class ObjectActions : public QObject {
   /// normal or upright.
   void surface_requested(bool is_along_normal);
   void status_message(const QString& text);
+  /// Emitted after a shape was added and selected, with its parameters.
+  void shape_added(const editor::PrimitiveShape& shape);
 
  private:
   using Kind = grf::TransformStep::Kind;
@@ -55,6 +57,7 @@ class ObjectActions : public QObject {
   void make_placements();
   QAction* add_placement(const QString& text, const QKeySequence& keys, const QString& tip, const Edit& edit);
   void make_structure();
+  void make_moves();
   void make_alignments();
   void update_target();
   void apply(const TransformAction& action);
@@ -68,7 +71,8 @@ class ObjectActions : public QObject {
   PivotPoint pivot_ = PivotPoint::Centre;
   bool is_local_ = false;
   QActionGroup* gizmos_;
-  QList<QAction*> additions_, gestures_, pivots_, options_, placements_, structure_, mirrors_, alignments_;
+  QList<QAction*> additions_, gestures_, pivots_, options_, placements_, structure_, moves_, mirrors_,
+      alignments_;
 };
 
 }  // namespace editor

@@ -75,7 +75,7 @@ void RecoveryController::recover(const LostWork& work) {
     result.scene = Recovery::read(work, result.diagnostics);
     if (result.scene) {
       const SceneObjects objects = objects_of(*result.scene, work.path.toStdString());
-      result.state = read_editor_state(work.path, objects, result.diagnostics);
+      result.state = Recovery::read_state(work, objects, result.diagnostics);
     }
     return result;
   };

@@ -52,7 +52,7 @@ OptionsWindow* RenderController::options_window() const { return options_window_
 
 void RenderController::make_actions(QWidget& window) {
   follow_ = new_switch(window,
-                       {tr("Camera &follows the view"), "follow", QKeySequence("Ctrl+Alt+F"),
+                       {tr("Camera follows &the view"), "follow", QKeySequence("Ctrl+Alt+F"),
                         tr("Lock the render camera to the 3D view")},
                        true, [this](bool) {
                          follow_view();
@@ -66,13 +66,13 @@ void RenderController::make_actions(QWidget& window) {
                             move_camera(view_.camera().view());
                           });
   look_through_ = new_action(window,
-                             {tr("&Look through the camera"),
+                             {tr("Loo&k through the camera"),
                               {},
                               QKeySequence("Ctrl+0"),
                               tr("View the scene through the render camera")},
                              [this] { view_.set_camera(ViewCamera(camera())); });
   framing_ = new_switch(window,
-                        {tr("Framing g&uides"),
+                        {tr("Framing guides"),
                          {},
                          QKeySequence("Ctrl+Alt+G"),
                          tr("Draw the border of the rendered image and its thirds over the 3D view")},

@@ -39,7 +39,7 @@ SelectionActions::SelectionActions(Document& document, SceneView& view, QWidget&
                 changed_by(&FaceSelection::select_all)),
             add(tr("&None"), QKeySequence("Ctrl+Shift+A"), tr("Deselect all faces"),
                 changed_by(&FaceSelection::clear)),
-            add(tr("&Invert"), QKeySequence("Ctrl+I"), tr("Invert the selection"),
+            add(tr("In&vert"), QKeySequence("Ctrl+I"), tr("Invert the selection"),
                 changed_by(&FaceSelection::invert))};
   const auto of_objects = [this](FaceSelection (*change)(const FaceSelection&, const SceneObjects&)) {
     return [this, change](const FaceSelection& selection) { return change(selection, document_.objects()); };

@@ -19,23 +19,23 @@ struct Mode {
 };
 
 constexpr Mode Modes[] = {
-    {DisplayMode::Points, QT_TRANSLATE_NOOP("editor::ViewActions", "&Points"),
+    {DisplayMode::Points, QT_TRANSLATE_NOOP("editor::ViewActions", "Poi&nts"),
      QT_TRANSLATE_NOOP("editor::ViewActions", "Only vertices")},
     {DisplayMode::Wireframe, QT_TRANSLATE_NOOP("editor::ViewActions", "&Wireframe"),
      QT_TRANSLATE_NOOP("editor::ViewActions", "Only edges")},
-    {DisplayMode::Solid, QT_TRANSLATE_NOOP("editor::ViewActions", "&Solid"),
+    {DisplayMode::Solid, QT_TRANSLATE_NOOP("editor::ViewActions", "So&lid"),
      QT_TRANSLATE_NOOP("editor::ViewActions", "Faces in their colours, lit by a headlight")},
-    {DisplayMode::SolidEdges, QT_TRANSLATE_NOOP("editor::ViewActions", "Solid with &edges"),
+    {DisplayMode::SolidEdges, QT_TRANSLATE_NOOP("editor::ViewActions", "&Solid with edges"),
      QT_TRANSLATE_NOOP("editor::ViewActions", "Faces in their colours, with their edges")},
-    {DisplayMode::Textured, QT_TRANSLATE_NOOP("editor::ViewActions", "&Textured"),
+    {DisplayMode::Textured, QT_TRANSLATE_NOOP("editor::ViewActions", "T&extured"),
      QT_TRANSLATE_NOOP("editor::ViewActions", "Faces with their textures")},
-    {DisplayMode::VertexColours, QT_TRANSLATE_NOOP("editor::ViewActions", "&Vertex colours"),
+    {DisplayMode::VertexColours, QT_TRANSLATE_NOOP("editor::ViewActions", "Vertex colo&urs"),
      QT_TRANSLATE_NOOP("editor::ViewActions", "The vertex colours")},
     {DisplayMode::Irradiance, QT_TRANSLATE_NOOP("editor::ViewActions", "&Irradiance"),
      QT_TRANSLATE_NOOP("editor::ViewActions", "The irradiance baked at the vertices")},
     {DisplayMode::Brdf, QT_TRANSLATE_NOOP("editor::ViewActions", "&BRDF"),
      QT_TRANSLATE_NOOP("editor::ViewActions", "Faces shaded with their BRDFs, lit by a headlight and a sky")},
-    {DisplayMode::Rendered, QT_TRANSLATE_NOOP("editor::ViewActions", "Rendere&d"),
+    {DisplayMode::Rendered, QT_TRANSLATE_NOOP("editor::ViewActions", "Ren&dered"),
      QT_TRANSLATE_NOOP("editor::ViewActions",
                        "The renderer's preview, which follows the view and your edits")},
 };
@@ -68,8 +68,8 @@ void ViewActions::make_overlays() {
   };
   add({tr("&Grid and axes"), "grid", {}, tr("Show the ground grid in whole units, and the axes")}, true,
       &SceneView::set_grid);
-  add({tr("Face &normals"), {}, {}, tr("Show face normals as lines")}, false, &SceneView::set_face_normals);
-  add({tr("&Vertex normals"), {}, {}, tr("Show vertex normals as lines")}, false,
+  add({tr("Face nor&mals"), {}, {}, tr("Show face normals as lines")}, false, &SceneView::set_face_normals);
+  add({tr("Verte&x normals"), {}, {}, tr("Show vertex normals as lines")}, false,
       &SceneView::set_vertex_normals);
 }
 
@@ -83,12 +83,12 @@ void ViewActions::make_places() {
     return made;
   };
   frame_all_ = add(tr("Frame &all"), Qt::Key_Home, tr("Frame the whole scene"), "fit");
-  frame_selection_ = add(tr("&Frame selection"), Qt::Key_F, tr("Frame the selected faces"), "frame");
-  places_ = {add(tr("Fr&ont"), Qt::Key_1, tr("Look along -z")),
-             add(tr("&Right"), Qt::Key_3, tr("Look along -x")),
-             add(tr("&Top"), Qt::Key_7, tr("Look along -y")),
-             add(tr("Oppos&ite"), Qt::Key_9, tr("Look from the opposite side")),
-             add(tr("&Perspective or orthographic"), Qt::Key_5,
+  frame_selection_ = add(tr("F&rame selection"), Qt::Key_F, tr("Frame the selected faces"), "frame");
+  places_ = {add(tr("&Front"), Qt::Key_1, tr("Look along -z")),
+             add(tr("Rig&ht"), Qt::Key_3, tr("Look along -x")),
+             add(tr("To&p"), Qt::Key_7, tr("Look along -y")),
+             add(tr("&Opposite"), Qt::Key_9, tr("Look from the opposite side")),
+             add(tr("Perspecti&ve or orthographic"), Qt::Key_5,
                  tr("Toggle perspective and orthographic projection"))};
 }
 

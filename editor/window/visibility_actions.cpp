@@ -41,7 +41,7 @@ QAction* VisibilityActions::add(const QString& text, const QString& icon, const 
 void VisibilityActions::make_visibility(SceneView& view) {
   visibility_ = {add(tr("&Hide selected"), "eye_closed", Qt::Key_H, tr("Hide the selected faces in the view"),
                      [this](EditorState& state) { state.hidden.add(document_.selection()); }),
-                 add(tr("Hide &others"), {}, Qt::SHIFT | Qt::Key_H,
+                 add(tr("Hi&de others"), {}, Qt::SHIFT | Qt::Key_H,
                      tr("Hide all faces but the selected ones in the view"),
                      [this](EditorState& state) {
                        if (!document_.selection().empty())

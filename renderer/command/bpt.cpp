@@ -1,9 +1,14 @@
 // bpt: the path tracer's command line.
+#include <algorithm>
+#include <array>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -203,27 +208,55 @@ void add_compare(CLI::App& app, command::CompareArguments& arguments) {
   compare->add_flag("--json", arguments.json, "print one JSON object");
 }
 
-void add_decode(CLI::App& app, std::string& image) {
+struct DecodeArguments {
+  std::string image;
+  bool has_layers = false;
+};
+
+void add_decode(CLI::App& app, DecodeArguments& arguments) {
   CLI::App* decode =
       app.add_subcommand("decode", "Decode an image and write it to standard output as a raw file");
-  decode->add_option("IMAGE", image, "the image: exr, hdr, pfm, raw, png, jpg or tga")->required();
+  decode->add_option("IMAGE", arguments.image, "the image: exr, hdr, pfm, raw, png, jpg or tga")->required();
+  decode->add_flag(
+      "--layers", arguments.has_layers,
+      "append the layers of an exr: for each, the lengths of its name and of its channels' letters "
+      "as little-endian uint32, the name, the letters, and the values pixel by pixel");
+}
+
+bool write_out(const void* bytes, std::size_t count) { return std::fwrite(bytes, 1, count, stdout) == count; }
+
+bool write_out(const transport::ImageLayer& layer) {
+  const std::array lengths = {static_cast<std::uint32_t>(layer.name.size()),
+                              static_cast<std::uint32_t>(layer.channels.size())};
+  return write_out(lengths.data(), sizeof(lengths)) && write_out(layer.name.data(), layer.name.size()) &&
+         write_out(layer.channels.data(), layer.channels.size()) &&
+         write_out(layer.values.data(), layer.values.size() * sizeof(float));
+}
+
+bool write_out(const transport::ImageFile& file) {
+  const std::string bytes = transport::encode_raw({file.image});
+  return write_out(bytes.data(), bytes.size()) &&
+         std::ranges::all_of(file.layers, [](const auto& layer) { return write_out(layer); }) &&
+         std::fflush(stdout) == 0;
 }
 
 /// Decodes an image for programs that leave untrusted images to a separate process. Errors do not name the
 /// file.
-ExitCode decode(const std::string& path) {
+ExitCode decode(const DecodeArguments& arguments) {
   const auto fail = [](const std::string& why) {
     fmt::print(stderr, "{}\n", why);
     return ExitCode::BadInput;
   };
   try {
     grf::Diagnostics diagnostics;
-    const auto image = transport::read_image(path, diagnostics);
-    if (!image) return fail(diagnostics.entries().front().message);
-    const std::string bytes = transport::encode_raw({*image});
-    const bool is_written = std::fwrite(bytes.data(), 1, bytes.size(), stdout) == bytes.size();
-    return is_written && std::fflush(stdout) == 0 ? ExitCode::Done
-                                                  : fail("cannot write the image to standard output");
+    std::optional<transport::ImageFile> file;
+    if (arguments.has_layers) {
+      file = transport::read_image_file(arguments.image, diagnostics);
+    } else if (auto image = transport::read_image(arguments.image, diagnostics)) {
+      file = transport::ImageFile{std::move(*image)};
+    }
+    if (!file) return fail(diagnostics.entries().front().message);
+    return write_out(*file) ? ExitCode::Done : fail("cannot write the image to standard output");
   } catch (const std::bad_alloc&) {
     return fail("cannot read the image: out of memory");
   }
@@ -296,8 +329,8 @@ ExitCode run(int argc, char** argv) {
   add_brdf(app, brdf_arguments);
   command::CompareArguments compare_arguments;
   add_compare(app, compare_arguments);
-  std::string decoded_image;
-  add_decode(app, decoded_image);
+  DecodeArguments decode_arguments;
+  add_decode(app, decode_arguments);
   command::CostArguments cost_arguments;
   add_cost(app, cost_arguments);
   app.set_version_flag("--version", "bpt " GRANADA_VERSION);
@@ -308,7 +341,7 @@ ExitCode run(int argc, char** argv) {
   }
   if (app.got_subcommand("brdf")) return run_brdf(*app.get_subcommand("brdf"), brdf_arguments);
   if (app.got_subcommand("compare")) return command::compare(compare_arguments);
-  if (app.got_subcommand("decode")) return decode(decoded_image);
+  if (app.got_subcommand("decode")) return decode(decode_arguments);
   if (app.got_subcommand("cost")) return command::cost(cost_arguments);
   if (app.got_subcommand("noise")) return command::noise(noise_arguments);
   if (app.got_subcommand("plan")) return command::plan(plan_arguments);

@@ -1,6 +1,7 @@
 #include <string>
 #include <string_view>
 
+#include "renderer/transport/image/image_file.h"
 #include "tests/cli/bpt.h"
 
 namespace {
@@ -49,6 +50,22 @@ TEST_F(BptDecode, TakesNamesThatBeginWithAHyphen) {
   const std::string image = write("image.pfm", std::string(Pfm));
   EXPECT_EQ(bpt({"decode", "--", image}).out, Raw);
   EXPECT_EQ(bpt({"decode", "--", "-none.pfm"}).exit_code, 1);
+}
+
+// A layer "z" of the channel "z", which has no letter, and a layer "n" of X and Y, of one pixel.
+TEST_F(BptDecode, AppendsTheLayersOfAnExr) {
+  transport::ImageFile file{{1, 1, {reflectance::Rgb(1, 2, 0.5F)}}};
+  file.layers = {{"n", "XY", {0.5F, -1}}, {"z", "", {2}}};
+  grf::Diagnostics diagnostics;
+  ASSERT_TRUE(transport::write_image(file, path("layers.exr"), diagnostics)) << diagnostics.to_text();
+  const std::string_view raw =
+      "\x01\x00\x00\x00\x01\x00\x00\x00\x00\x00\x80\x3f\x00\x00\x00\x40\x00\x00\x00\x3f"sv;
+  const std::string_view layers =
+      "\x01\x00\x00\x00\x02\x00\x00\x00nXY\x00\x00\x00\x3f\x00\x00\x80\xbf"
+      "\x01\x00\x00\x00\x00\x00\x00\x00z\x00\x00\x00\x40"sv;
+  EXPECT_EQ(bpt({"decode", path("layers.exr")}).out, raw);
+  EXPECT_EQ(bpt({"decode", "--layers", path("layers.exr")}).out, std::string(raw) + std::string(layers));
+  EXPECT_EQ(bpt({"decode", "--layers", write("image.pfm", std::string(Pfm))}).out, Raw);
 }
 
 TEST_F(BptDecode, SaysWhyItCannot) {

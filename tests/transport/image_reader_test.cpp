@@ -1,6 +1,7 @@
 // Images of each format, valid and damaged.
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 #include <ImfChannelList.h>
@@ -232,6 +233,65 @@ TEST_F(ImageReader, ReadsOpenExrByItsChannels) {
   expect_everywhere(read("c.exr", exr_with(path, {"G"})), Rgb(0, 0.5F, 0));
   expect_error("d.exr", exr_with(path, {"Z"}),
                "it is damaged (its channels are neither R, G and B nor only Y)");
+}
+
+/// Writes an OpenEXR file of 4 x 3 pixels, of which channel i has the value i everywhere.
+std::string numbered_exr(const std::string& path, const std::vector<std::string>& channels) {
+  std::vector<std::vector<float>> values;
+  for (std::size_t i = 0; i < channels.size(); ++i) values.emplace_back(12, static_cast<float>(i));
+  Imf::Header header(4, 3);
+  Imf::FrameBuffer buffer;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    header.channels().insert(channels[i], Imf::Channel(Imf::FLOAT));
+    char* data = reinterpret_cast<char*>(values[i].data());
+    buffer.insert(channels[i], Imf::Slice(Imf::FLOAT, data, sizeof(float), 4 * sizeof(float)));
+  }
+  Imf::OutputFile file(path.c_str(), header);
+  file.setFrameBuffer(buffer);
+  file.writePixels(3);
+  return path;
+}
+
+TEST_F(ImageReader, ReadsTheLayersOfOpenExr) {
+  const auto file = transport::read_image_file(
+      numbered_exr(folder_.path("a.exr"), {"B", "G", "R", "albedo.B", "albedo.G", "albedo.R", "depth.Z",
+                                           "normal.X", "normal.Y", "normal.Z", "samples", "pass.one.A"}),
+      diagnostics_);
+  ASSERT_TRUE(file) << diagnostics_.to_text();
+  EXPECT_EQ(file->image.pixels, std::vector<Rgb>(12, Rgb(2, 1, 0)));
+  std::map<std::string, std::string> letters;
+  std::map<std::string, Rgb> values;
+  for (const transport::ImageLayer& layer : file->layers) {
+    letters[layer.name] = layer.channels;
+    const Image image = transport::image_of(layer, 4, 3);
+    values[layer.name] = image.pixels.back();
+    EXPECT_EQ(image.pixels, std::vector<Rgb>(12, image.pixels.back())) << layer.name;
+  }
+  const std::map<std::string, std::string> expected_letters = {
+      {"albedo", "RGB"}, {"depth", "Z"}, {"normal", "XYZ"}, {"samples", ""}, {"pass.one", "A"}};
+  EXPECT_EQ(letters, expected_letters);
+  const std::map<std::string, Rgb> expected = {{"albedo", Rgb(5, 4, 3)},
+                                               {"depth", Rgb(6)},
+                                               {"normal", Rgb(7, 8, 9)},
+                                               {"samples", Rgb(10)},
+                                               {"pass.one", Rgb(11)}};
+  EXPECT_EQ(values, expected);
+}
+
+TEST_F(ImageReader, ShowsALayerOfAnOpenExrThatHasNoImage) {
+  const auto passes = transport::read_image_file(
+      numbered_exr(folder_.path("a.exr"), {"a.Z", "view.A", "view.B", "view.G", "view.R"}), diagnostics_);
+  ASSERT_TRUE(passes) << diagnostics_.to_text();
+  EXPECT_EQ(passes->layers.size(), 2U);
+  EXPECT_EQ(passes->image.pixels.front(), Rgb(4, 3, 2)) << "the first one in colour";
+  const auto depth =
+      transport::read_image_file(numbered_exr(folder_.path("b.exr"), {"W", "Z"}), diagnostics_);
+  ASSERT_TRUE(depth) << diagnostics_.to_text();
+  EXPECT_EQ(depth->layers.size(), 2U);
+  EXPECT_EQ(depth->image.pixels.front(), Rgb(0)) << "the first one";
+  const auto other = transport::read_image_file(folder_.add("c.pfm", pfm_of(gradient(5, 3))), diagnostics_);
+  ASSERT_TRUE(other) << diagnostics_.to_text();
+  EXPECT_TRUE(other->layers.empty());
 }
 
 TEST_F(ImageReader, RefusesHugeImages) {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/transport/image/image_file.h"
 
 namespace transport {
 
@@ -15,6 +15,11 @@ Image blank_image(std::int64_t width, std::int64_t height, std::string_view file
 
 /// Fills an image from sRGB-encoded bytes (IEC 61966-2-1), three per pixel; 255 is 1.
 void decode_srgb(const std::uint8_t* bytes, Image& image);
+
+/// OpenEXR: the image, from the channels R, G and B, or Y if there are none of these.
+Image decode_exr(std::string_view bytes);
+/// OpenEXR with its layers, see `read_image_file`.
+ImageFile decode_exr_file(std::string_view bytes);
 
 /// Radiance's RGBE (Ward 1991, "Real pixels"), with old and new run-length encoding.
 Image decode_radiance(std::string_view bytes);

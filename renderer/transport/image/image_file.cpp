@@ -39,13 +39,13 @@ const std::vector<ImageFormat>& image_formats() {
   constexpr int Widest = 65535;
   constexpr int WidestJpeg = 65500;
   static const std::vector<ImageFormat> formats = {
-      {"exr", "OpenEXR, linear 32-bit floats", Widest, true, encode_exr},
-      {"hdr", "Radiance RGBE, linear, 8 bits with a shared exponent", Widest, false, encode_radiance},
-      {"pfm", "portable float map, linear 32-bit floats", Widest, false, encode_pfm},
-      {"raw", "raw: width, height and linear 32-bit floats", Widest, false, encode_raw},
-      {"png", "PNG, 8 bits, sRGB", Widest, false, encode_png},
-      {"jpg", "JPEG, 8 bits, sRGB, lossy", WidestJpeg, false, encode_jpeg},
-      {"tga", "Targa, 8 bits, sRGB", Widest, false, encode_tga}};
+      {"exr", "OpenEXR, linear 32-bit floats", Widest, true, true, encode_exr},
+      {"hdr", "Radiance RGBE, linear, 8 bits with a shared exponent", Widest, false, true, encode_radiance},
+      {"pfm", "portable float map, linear 32-bit floats", Widest, false, true, encode_pfm},
+      {"raw", "raw: width, height and linear 32-bit floats", Widest, false, true, encode_raw},
+      {"png", "PNG, 8 bits, sRGB", Widest, false, false, encode_png},
+      {"jpg", "JPEG, 8 bits, sRGB, lossy", WidestJpeg, false, false, encode_jpeg},
+      {"tga", "Targa, 8 bits, sRGB", Widest, false, false, encode_tga}};
   return formats;
 }
 
@@ -106,6 +106,19 @@ std::vector<std::string> fallback_folders() {
 ImageLayer layer_of(std::string name, std::string channels, const Image& image) {
   const float* first = &image.pixels.front().x;
   return {std::move(name), std::move(channels), {first, first + 3 * image.pixels.size()}};
+}
+
+Image image_of(const ImageLayer& layer, int width, int height) {
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const std::size_t channels = std::max<std::size_t>(1, layer.channels.size());
+  Image image{width, height, std::vector<reflectance::Rgb>(pixels, reflectance::Rgb(0))};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const float* values = &layer.values[i * channels];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (channels == 1 || k < channels) image.pixels[i][static_cast<int>(k)] = values[channels == 1 ? 0 : k];
+    }
+  }
+  return image;
 }
 
 }  // namespace transport

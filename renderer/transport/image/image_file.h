@@ -1,6 +1,7 @@
 // An image file has an image, layers and metadata, in one of several formats.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,6 +43,7 @@ struct ImageFormat {
   std::string_view title;
   int largest_side = 0;  ///< in pixels
   bool holds_layers = false;
+  bool is_linear = false;  ///< else 8 bits encoded in sRGB, after exposure
   std::string (*encode)(const ImageFile& file) = nullptr;
 };
 
@@ -64,5 +66,14 @@ std::vector<std::string> fallback_folders();
 
 /// Makes a layer from an image's three channels.
 ImageLayer layer_of(std::string name, std::string channels, const Image& image);
+
+/// Makes an image of a layer: a single channel is grey, and channels behind the third one are left out.
+Image image_of(const ImageLayer& layer, int width, int height);
+
+/// Reads an image as `read_image` does, and the layers of an OpenEXR file (its first part): the channels
+/// `name.X`, `name.Y`, ... are a layer, and each further channel without a point is one. If none of them is
+/// the image, as in files with several render passes, the image is the first layer in colour, or else the
+/// first one. Subsampled channels are left out.
+std::optional<ImageFile> read_image_file(const std::string& path, grf::Diagnostics& diagnostics);
 
 }  // namespace transport

@@ -8,12 +8,8 @@
 #include <exception>
 #include <memory>
 #include <stdexcept>
+#include <type_traits>
 
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfIO.h>
-#include <ImfInputFile.h>
 #include <fmt/format.h>
 #include <png.h>
 #include <turbojpeg.h>
@@ -27,60 +23,6 @@ namespace transport {
 namespace {
 
 using reflectance::Rgb;
-
-// OpenEXR
-
-class MemoryInput : public Imf::IStream {
- public:
-  explicit MemoryInput(std::string_view bytes) : IStream("image"), bytes_(bytes) {}
-
-  bool read(char* to, int count) override {
-    const auto size = static_cast<std::size_t>(count);
-    if (position_ > bytes_.size() || size > bytes_.size() - position_) {
-      throw std::runtime_error("unexpected end of file");
-    }
-    std::memcpy(to, bytes_.data() + position_, size);
-    position_ += size;
-    return position_ < bytes_.size();
-  }
-  std::uint64_t tellg() override { return position_; }
-  void seekg(std::uint64_t position) override { position_ = position; }
-
- private:
-  std::string_view bytes_;
-  std::uint64_t position_ = 0;
-};
-
-// Reads the data window: there are no pixels outside of it.
-Image decode_exr(std::string_view bytes) {
-  MemoryInput stream(bytes);
-  Imf::InputFile file(stream);
-  const Imath::Box2i window = file.header().dataWindow();
-  Image image = blank_image(std::int64_t(window.max.x) - window.min.x + 1,
-                            std::int64_t(window.max.y) - window.min.y + 1);
-  const Imf::ChannelList& channels = file.header().channels();
-  const bool has_colour = channels.findChannel("R") != nullptr || channels.findChannel("G") != nullptr ||
-                          channels.findChannel("B") != nullptr;
-  const bool is_grey = !has_colour && channels.findChannel("Y") != nullptr;
-  if (!has_colour && (!is_grey || channels.findChannel("RY") != nullptr)) {
-    throw std::runtime_error("its channels are neither R, G and B nor only Y");
-  }
-  Imf::FrameBuffer buffer;
-  char* first = reinterpret_cast<char*>(image.pixels.data());
-  const auto add = [&](const char* name, std::size_t offset) {
-    buffer.insert(name, Imf::Slice::Make(Imf::FLOAT, first + offset, window.min, image.width, image.height,
-                                         sizeof(Rgb), sizeof(Rgb) * static_cast<std::size_t>(image.width)));
-  };
-  add(is_grey ? "Y" : "R", 0);
-  if (!is_grey) add("G", sizeof(float));
-  if (!is_grey) add("B", 2 * sizeof(float));
-  file.setFrameBuffer(buffer);
-  file.readPixels(window.min.y, window.max.y);
-  if (is_grey) {
-    for (Rgb& pixel : image.pixels) pixel = Rgb(pixel.x);
-  }
-  return image;
-}
 
 // Portable float map: three lines of text, then rows from the bottom. A negative scale means little-endian.
 
@@ -232,6 +174,34 @@ std::string one_line(std::string text) {
   return text;
 }
 
+/// Reads a file and decodes it by a function of its decoder and its bytes.
+template <class Decode>
+auto read_and(const Decode& decode, const std::string& path, grf::Diagnostics& diagnostics,
+              const grf::SourceLocation& asked_for_at)
+    -> std::optional<std::invoke_result_t<Decode, const Decoder&, std::string_view>> {
+  const auto bytes = grf::read_file(path, diagnostics, asked_for_at);
+  if (!bytes) return std::nullopt;
+  const auto fail = [&](const std::string& why) {
+    if (asked_for_at.file) {
+      diagnostics.error(asked_for_at, fmt::format("cannot read the image '{}': {}", path, why));
+    } else {
+      diagnostics.error(grf::whole_file(path), fmt::format("cannot read the image: {}", why));
+    }
+    return std::nullopt;
+  };
+  if (bytes->empty()) return fail("the file is empty");
+  const Decoder* decoder = decoder_of(*bytes, path);
+  if (decoder == nullptr)
+    return fail("unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
+  try {
+    return decode(*decoder, *bytes);
+  } catch (const std::bad_alloc&) {
+    return fail("it needs more memory than there is");
+  } catch (const std::exception& problem) {
+    return fail(fmt::format("it is damaged ({})", one_line(problem.what())));
+  }
+}
+
 }  // namespace
 
 Image blank_image(std::int64_t width, std::int64_t height) {
@@ -265,27 +235,15 @@ void decode_srgb(const std::uint8_t* bytes, Image& image) {
 
 std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagnostics,
                                 const grf::SourceLocation& asked_for_at) {
-  const auto bytes = grf::read_file(path, diagnostics, asked_for_at);
-  if (!bytes) return std::nullopt;
-  const auto fail = [&](const std::string& why) {
-    if (asked_for_at.file) {
-      diagnostics.error(asked_for_at, fmt::format("cannot read the image '{}': {}", path, why));
-    } else {
-      diagnostics.error(grf::whole_file(path), fmt::format("cannot read the image: {}", why));
-    }
-    return std::nullopt;
+  return read_and([](const Decoder& decoder, std::string_view bytes) { return decoder.decode(bytes); }, path,
+                  diagnostics, asked_for_at);
+}
+
+std::optional<ImageFile> read_image_file(const std::string& path, grf::Diagnostics& diagnostics) {
+  const auto decode = [](const Decoder& decoder, std::string_view bytes) {
+    return decoder.extension == "exr" ? decode_exr_file(bytes) : ImageFile{decoder.decode(bytes)};
   };
-  if (bytes->empty()) return fail("the file is empty");
-  const Decoder* decoder = decoder_of(*bytes, path);
-  if (decoder == nullptr)
-    return fail("unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
-  try {
-    return decoder->decode(*bytes);
-  } catch (const std::bad_alloc&) {
-    return fail("it needs more memory than there is");
-  } catch (const std::exception& problem) {
-    return fail(fmt::format("it is damaged ({})", one_line(problem.what())));
-  }
+  return read_and(decode, path, diagnostics, {});
 }
 
 }  // namespace transport

@@ -163,6 +163,45 @@ TEST_F(KeepingEditorState, FollowsMeshesThatAnEditRenumbers) {
   EXPECT_THAT(faces(document_.editor_state().hidden, 0), ElementsAre(0, 2, 3));
 }
 
+TEST_F(KeepingEditorState, ComesBackWithAMeshWhoseRemovalIsUndone) {
+  open(HandMadeFile);
+  const EditorState before = document_.editor_state();
+  grf::Scene scene = document_.scene();
+  scene.contents.blocks.erase(scene.contents.blocks.begin());
+  document_.replace("Delete four", scene);
+  ASSERT_EQ(document_.objects().meshes.size(), 1U);
+  EXPECT_TRUE(document_.editor_state().hidden.empty());
+  EXPECT_EQ(document_.editor_state().locked.count(), 1U) << "of the mesh that is left";
+  document_.undo_stack().undo();
+  EXPECT_EQ(document_.editor_state(), before);
+  EXPECT_FALSE(document_.is_modified());
+  document_.undo_stack().redo();
+  document_.undo_stack().undo();
+  EXPECT_EQ(document_.editor_state(), before) << "again";
+  document_.undo_stack().redo();
+  EditorState without = document_.editor_state();
+  without.face_sets.erase("middle");
+  document_.set_editor_state(without);
+  document_.undo_stack().undo();
+  EXPECT_EQ(document_.editor_state().hidden, before.hidden);
+  EXPECT_FALSE(document_.editor_state().face_sets.contains("middle")) << "that set was removed meanwhile";
+}
+
+TEST_F(KeepingEditorState, ComesBackWithAMeshThatIsAddedAgain) {
+  open({});
+  const std::size_t meshes = document_.objects().meshes.size();
+  grf::Scene scene = document_.scene();
+  document_.merge("Append", scene, path());
+  ASSERT_EQ(document_.objects().meshes.size(), 2 * meshes);
+  // The appended meshes share the geometry of the first ones.
+  hide({static_cast<std::uint32_t>(meshes), 2});
+  document_.undo_stack().undo();
+  EXPECT_TRUE(document_.editor_state().hidden.empty());
+  document_.undo_stack().redo();
+  EXPECT_TRUE(faces(document_.editor_state().hidden, 0).empty());
+  EXPECT_THAT(faces(document_.editor_state().hidden, static_cast<std::uint32_t>(meshes)), ElementsAre(2));
+}
+
 TEST_F(KeepingEditorState, WarnsOnceOfAStaleFileAndKeepsWhatFits) {
   std::string stale = HandMadeFile;
   stale.replace(stale.find("\"face_count\": 4"), 15, "\"face_count\": 5");

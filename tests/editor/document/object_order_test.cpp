@@ -53,6 +53,50 @@ TEST_F(MovingObjects, ChangesTheOrder) {
   EXPECT_THAT(paths_, ElementsAre(grf::ScenePath{1}, grf::ScenePath{2}));
 }
 
+TEST_F(MovingObjects, ShiftsAmongSiblings) {
+  const std::string a = named_triangle("a"), b = named_triangle("b"), c = named_triangle("c"),
+                    d = named_triangle("d");
+  const grf::Scene scene = scene_of(a + b + c + d);
+  const auto after = [&](const Paths& paths, int step) {
+    return text_after(shift_objects(scene, paths, step));
+  };
+  EXPECT_EQ(after({{2}}, -1), text(a + c + b + d));
+  EXPECT_THAT(paths_, ElementsAre(grf::ScenePath{1}));
+  EXPECT_EQ(after({{3}, {1}}, -1), text(b + a + d + c)) << "each by one place";
+  EXPECT_THAT(paths_, ElementsAre(grf::ScenePath{2}, grf::ScenePath{0}));
+  EXPECT_EQ(after({{0}, {1}, {3}}, -1), text(a + b + d + c)) << "those at the end stay";
+  EXPECT_THAT(paths_, ElementsAre(grf::ScenePath{0}, grf::ScenePath{1}, grf::ScenePath{2}));
+  EXPECT_EQ(after({{0}, {1}}, 1), text(c + a + b + d));
+  EXPECT_THAT(paths_, ElementsAre(grf::ScenePath{1}, grf::ScenePath{2}));
+  EXPECT_EQ(after({{3}}, 1), text(a + b + c + d));
+  const grf::Scene scope =
+      scene_of("def red = rgb (1, 0, 0)\nbegin\n" + a + translated_by("(1, 0, 0)", b) + "end\n");
+  EXPECT_EQ(text_after(shift_objects(scope, {{0, 2, 0}}, -1)),
+            text("def red = rgb (1, 0, 0)\nbegin\n" + translated_by("(1, 0, 0)", b) + a + "end\n"))
+      << "with its own transform, behind the definitions";
+  EXPECT_THAT(paths_, ElementsAre(grf::ScenePath{0, 1, 0}));
+  EXPECT_EQ(text_after(shift_objects(scope, {{0, 1}}, -1)), grf::to_text(scope));
+}
+
+TEST_F(MovingObjects, LeavesAndEntersGroups) {
+  const std::string a = named_triangle("a"), b = named_triangle("b"), c = named_triangle("c"),
+                    d = named_triangle("d");
+  const grf::Scene scene = scene_of(translated_by("(1, 2, 3)", a + b + c) + d);
+  EXPECT_EQ(text_after(move_out_of_group(scene, {{0, 1}}, diagnostics_)),
+            text(translated_by("(1, 2, 3)", a + c) + translated_by("(1, 2, 3)", b) + d));
+  EXPECT_THAT(paths_, ElementsAre(grf::ScenePath{1, 0}));
+  EXPECT_EQ(text_after(move_into_group(scene, {{1}}, diagnostics_)),
+            text(translated_by("(1, 2, 3)", a + b + c + translated_by("(-1, -2, -3)", d))));
+  EXPECT_THAT(paths_, ElementsAre(grf::ScenePath{0, 3, 0}));
+  EXPECT_THAT(text_after(move_out_of_group(scene, {{1}}, diagnostics_)), HasSubstr("in no group"));
+  diagnostics_ = {};
+  EXPECT_THAT(text_after(move_into_group(scene, {{0}}, diagnostics_)), HasSubstr("no group in front"));
+  diagnostics_ = {};
+  const grf::Scene single = scene_of(translated_by("(1, 2, 3)", a) + b);
+  EXPECT_THAT(text_after(move_into_group(single, {{1}}, diagnostics_)), HasSubstr("no group in front"))
+      << "a transform of one object is no group";
+}
+
 TEST_F(MovingObjects, KeepsTheirPlaceInWorldSpace) {
   const grf::Scene scene = scene_of(translated_by("(1, 2, 3)", named_triangle("a") + named_triangle("b")) +
                                     translated_by("(0.1, 0, 0)", named_triangle("c")));

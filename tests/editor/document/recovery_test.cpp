@@ -159,6 +159,32 @@ TEST_F(RecoveryTest, WritesNoIncludedFileAgainThatIsAsItWas) {
   EXPECT_EQ(diagnostics.to_text(), "") << "no note that an included file was written";
 }
 
+TEST_F(RecoveryTest, GivesBackHiddenAndNamedFaces) {
+  Recovery recovery(document_, sessions(), 0);
+  QSignalSpy kept(&recovery, &Recovery::kept);
+  EditorState state = document_.editor_state();
+  state.hidden.set({1, 0});
+  state.face_sets.emplace("part", FaceSelection(document_.objects()));
+  state.face_sets.at("part").set({0, 0});
+  document_.set_editor_state(state);
+  wait_for(kept);
+  kept.clear();
+  state.locked.set({0, 0});
+  document_.set_editor_state(state);
+  wait_for(kept);
+  const QString session = QDir(sessions()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).value(0);
+  const LostWork work = {sessions() + "/" + session, document_.path(), {}, {}};
+  grf::Diagnostics diagnostics;
+  const auto scene = Recovery::read(work, diagnostics);
+  ASSERT_TRUE(scene.has_value());
+  const SceneObjects objects = objects_of(*scene, document_.path().toStdString());
+  const EditorState read = Recovery::read_state(work, objects, diagnostics);
+  EXPECT_EQ(diagnostics.to_text(), "");
+  EXPECT_EQ(read, state) << "also what was locked while the work was unsaved already";
+  EXPECT_FALSE(QFile::exists(document_.path() + ".editor.json"))
+      << "the file beside the scene is not written";
+}
+
 TEST_F(RecoveryTest, TakesNoWorkFromASessionThatLives) {
   Recovery recovery(document_, sessions(), 0);
   QSignalSpy kept(&recovery, &Recovery::kept);

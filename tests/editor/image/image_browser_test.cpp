@@ -240,6 +240,122 @@ TEST_F(Browser, RefusesDifferencesOfOtherSizes) {
   EXPECT_TRUE(browser_.names().isEmpty());
 }
 
+/// 2 x 1 pixels with layers.
+transport::ImageFile layered(float far = 4) {
+  transport::ImageFile file{{2, 1, {Rgb(1, 0, 0), Rgb(0, 1, 0)}}};
+  file.layers = {{"albedo", "RGB", {1, 0, 0, 0, 0, 1}},
+                 {"depth", "Z", {2, far}},
+                 {"normal", "XYZ", {0, 0, 1, 0, -1, 0}},
+                 {"samples", "", {16, 32}},
+                 {"variance", "RGB", {0.001F, 0.001F, 0.001F, 1, 1, 1}}};
+  return file;
+}
+
+/// The byte of half the range in sRGB.
+constexpr int Half = 188;
+
+class LayersOfImages : public Browser {
+ protected:
+  void open_layers(const std::string& name, const transport::ImageFile& file) {
+    grf::Diagnostics diagnostics;
+    ASSERT_TRUE(transport::write_image(file, folder_.path(name), diagnostics)) << diagnostics.to_text();
+    open(folder_.path(name));
+  }
+  QComboBox& layers() {
+    for (auto* list : browser_.findChildren<QComboBox*>()) {
+      if (list->accessibleName() == "Layer") return *list;
+    }
+    throw std::runtime_error("there is no list of layers");
+  }
+  bool shows(QRgb left, QRgb right) {
+    return QTest::qWaitFor([&] { return shown({0, 0}) == left && shown({1, 0}) == right; });
+  }
+  QString text_at(const QPoint& pixel) {
+    const QPointF place = browser_.pane().place_of(pixel);
+    // Not QTest::mouseMove, which sends nothing if the pointer is there already.
+    QMouseEvent move(QEvent::MouseMove, place, browser_.pane().mapToGlobal(place), Qt::NoButton, {}, {});
+    QApplication::sendEvent(&browser_.pane(), &move);
+    const QString start = QString("x %1  y %2   ").arg(pixel.x()).arg(pixel.y());
+    EXPECT_TRUE(text("Values of the pixel").startsWith(start));
+    return text("Values of the pixel").mid(start.size());
+  }
+};
+
+TEST_F(LayersOfImages, AreShownAtTheirOwnScalesByKeys) {
+  open_layers("a.exr", layered());
+  ASSERT_EQ(layers().count(), 6);
+  EXPECT_TRUE(shows(qRgb(255, 0, 0), qRgb(0, 255, 0))) << "the image";
+  key(Qt::Key_L);
+  EXPECT_EQ(layers().currentText(), "albedo");
+  EXPECT_TRUE(shows(qRgb(255, 0, 0), qRgb(0, 0, 255)));
+  EXPECT_EQ(text_at({1, 0}), "R 0  G 0  B 1");
+  key(Qt::Key_L);
+  EXPECT_EQ(layers().currentText(), "depth");
+  EXPECT_TRUE(shows(qRgb(0, 0, 0), qRgb(255, 255, 255))) << "the least and the largest one";
+  EXPECT_EQ(text_at({1, 0}), "depth 4");
+  EXPECT_TRUE(text("Image statistics").contains("from 2 to 4")) << text("Image statistics").toStdString();
+  key(Qt::Key_L);
+  EXPECT_TRUE(shows(qRgb(Half, Half, 255), qRgb(Half, 0, Half))) << "-1 is black, 0 in the middle";
+  EXPECT_EQ(text_at({1, 0}), "X 0  Y -1  Z 0");
+  key(Qt::Key_L);
+  EXPECT_TRUE(shows(qRgb(Half, Half, Half), qRgb(255, 255, 255))) << "16 of 32 samples";
+  key(Qt::Key_L);
+  EXPECT_EQ(layers().currentText(), "variance");
+  EXPECT_EQ(browser_.pane().settings().colouring, Colouring::FalseColour);
+  key(Qt::Key_L);
+  EXPECT_TRUE(shows(qRgb(255, 0, 0), qRgb(0, 255, 0))) << "the image again, in its own colours";
+  key(Qt::Key_L, Qt::ShiftModifier);
+  EXPECT_EQ(layers().currentText(), "variance");
+}
+
+TEST_F(LayersOfImages, KeepTheirExposures) {
+  open_layers("a.exr", layered());
+  browser_.select_layer("samples");
+  EXPECT_TRUE(shows(qRgb(Half, Half, Half), qRgb(255, 255, 255)));
+  for (int i = 0; i < 2; ++i) key(Qt::Key_E, Qt::ShiftModifier);
+  EXPECT_TRUE(shows(qRgb(137, 137, 137), qRgb(Half, Half, Half))) << "a quarter and a half";
+  browser_.select_layer({});
+  EXPECT_EQ(browser_.controls().settings().exposure, 0);
+  browser_.select_layer("samples");
+  EXPECT_EQ(browser_.controls().settings().exposure, -1);
+}
+
+TEST_F(LayersOfImages, AreComparedWithTheSameLayer) {
+  open_layers("b.exr", layered(6));
+  open_layers("a.exr", layered());
+  browser_.select_reference("b.exr");
+  browser_.select_layer("depth");
+  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Image statistics").contains("RMSE"); }));
+  EXPECT_EQ(text_at({1, 0}), "depth 4   B: depth 6");
+  browser_.show_image("plain", shared(ramp(2, 1)));
+  browser_.select_image("a.exr");
+  browser_.select_reference("plain");
+  ASSERT_TRUE(QTest::qWaitFor([this] { return text("Image statistics").contains("B has no layer depth"); }));
+  EXPECT_EQ(browser_.pane().arrangement(), Arrangement::Alone);
+  browser_.select_image("plain");
+  EXPECT_EQ(layers().currentText(), "image") << "that image has no layers";
+}
+
+TEST_F(LayersOfImages, AreSavedWithTheImageOrAsOne) {
+  open_layers("a.exr", layered());
+  QSignalSpy saved(&browser_, &ImageBrowser::saved);
+  browser_.save_as(QString::fromStdString(folder_.path("whole.exr")));
+  ASSERT_TRUE(saved.wait());
+  grf::Diagnostics diagnostics;
+  EXPECT_EQ(transport::read_image_file(folder_.path("whole.exr"), diagnostics)->layers.size(), 5U);
+  browser_.select_layer("depth");
+  browser_.save_as(QString::fromStdString(folder_.path("depth.pfm")));
+  ASSERT_TRUE(saved.wait());
+  EXPECT_EQ(transport::read_image(folder_.path("depth.pfm"), diagnostics)->pixels,
+            (std::vector<Rgb>{Rgb(2), Rgb(4)}));
+  ASSERT_TRUE(shows(qRgb(0, 0, 0), qRgb(255, 255, 255)));
+  browser_.save_as(QString::fromStdString(folder_.path("depth.png")));
+  ASSERT_TRUE(saved.wait());
+  EXPECT_EQ(transport::read_image(folder_.path("depth.png"), diagnostics)->pixels,
+            (std::vector<Rgb>{Rgb(0), Rgb(1)}))
+      << "as it is shown";
+}
+
 TEST_F(Browser, TakesTheExposureAsArithmetic) {
   const ScreenControls& controls = browser_.controls();
   auto* box = controls.findChild<NumberBox*>();

@@ -39,6 +39,35 @@ TEST_F(ImageProcesses, ReadWhatAFileHolds) {
   EXPECT_EQ(image_->pixels[1], reflectance::Rgb(-2));
 }
 
+TEST_F(ImageProcesses, ReadTheLayersOfAFile) {
+  transport::ImageFile written{{2, 1, {reflectance::Rgb(1), reflectance::Rgb(2)}}};
+  written.layers = {{"depth", "Z", {3, 4}}, {"normal", "XYZ", {0, 0, 1, 0, 1, 0}}};
+  ASSERT_TRUE(transport::write_image(written, folder_.path("image.exr"), diagnostics_));
+  const auto file = ImageProcess().read_file(folder_.path("image.exr"), diagnostics_);
+  ASSERT_TRUE(file) << diagnostics_.to_text();
+  EXPECT_EQ(file->image.pixels, written.image.pixels);
+  ASSERT_EQ(file->layers.size(), 2U);
+  EXPECT_EQ(file->layers[0].name, "depth");
+  EXPECT_EQ(file->layers[0].channels, "Z");
+  EXPECT_EQ(file->layers[0].values, written.layers[0].values);
+  EXPECT_EQ(file->layers[1].values, written.layers[1].values);
+}
+
+// The decoder may have been taken over by the file that it read.
+TEST_F(ImageProcesses, BelieveNoDecoderThatWritesBrokenLayers) {
+  const std::string image = "\\001\\0\\0\\0\\001\\0\\0\\0............";
+  for (const std::string layers : {"\\001", "\\377\\377\\377\\377\\0\\0\\0\\0z....",
+                                   "\\001\\0\\0\\0\\0\\0\\0\\0z..", "\\001\\0\\0\\0\\003\\0\\0\\0zXYZ...."}) {
+    diagnostics_ = {};
+    const ImageProcess images(test::shell_program(folder_, "printf '" + image + layers + "'"));
+    EXPECT_FALSE(images.read_file(folder_.path("image.exr"), diagnostics_)) << layers;
+    EXPECT_THAT(diagnostics_.to_text(), HasSubstr("its decoder wrote no image"));
+  }
+  const ImageProcess whole(
+      test::shell_program(folder_, "printf '" + image + "\\001\\0\\0\\0\\0\\0\\0\\0z....'"));
+  EXPECT_TRUE(whole.read_file(folder_.path("image.exr"), diagnostics_ = {})) << "so far these are right";
+}
+
 TEST_F(ImageProcesses, TellWhatTheDecoderSaysOfABrokenFile) {
   folder_.add("image.pfm", "PF\n2 1\n-1.0\n");
   EXPECT_EQ(read(ImageProcess()), "cannot read the image: it is damaged (unexpected end of file)");

@@ -61,6 +61,22 @@ TEST_F(FinalRenderTest, RendersWhatIsInMemoryBesideTheScene) {
   EXPECT_NE(result_->copy, result_->image);
 }
 
+TEST_F(FinalRenderTest, KeepsTheImageThatItReplaces) {
+  FinalRenderRequest request = test::final_request(path("scene.grf"), 2);
+  const std::string before = "the image of an earlier session";
+  folder_.add("scene.exr", before);
+  request.may_overwrite = true;
+  render_.start(request);
+  ASSERT_TRUE(ends());
+  ASSERT_TRUE(result_) << why_;
+  EXPECT_EQ(test::bytes_of(result_->former.toStdString()), before);
+  EXPECT_NE(test::bytes_of(folder_.path("scene.exr")), before);
+  request.options.output = folder_.path("other.exr");
+  render_.start(request);
+  ASSERT_TRUE(ends());
+  EXPECT_EQ(result_->former, "") << "there was no such image";
+}
+
 TEST_F(FinalRenderTest, FindsFilesBesideTheSceneAndNotBesideItsSnapshot) {
   FinalRenderRequest request = test::final_request(path("scene.grf"), 4);
   folder_.add("paper.pfm", std::string("PF\n1 1\n-1.0\n") + std::string(12, '\0'));

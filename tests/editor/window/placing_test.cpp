@@ -135,6 +135,64 @@ TEST_F(Placing, LightsTheFirstPreviewOfAModelByAStudio) {
   EXPECT_TRUE(document().objects().lights.empty()) << "it was refused";
 }
 
+/// Types a number into a field.
+void enter(QWidget& field, const QString& number) {
+  field.setFocus();
+  QTest::keyClick(&field, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClicks(&field, number);
+  QTest::keyClick(&field, Qt::Key_Return);
+}
+
+TEST_F(Placing, ChangesTheParametersOfANewShape) {
+  open_text(cube("left", 0, 0, 0));
+  test::action(window_, "Add a sphere").trigger();
+  ASSERT_EQ(document().undo_stack().count(), 1);
+  auto& radius = test::named<NumberBox>(window_, "Radius of the new shape");
+  auto& segments = test::named<NumberBox>(window_, "Segments of the new shape");
+  EXPECT_THROW(test::named<NumberBox>(window_, "Tube radius of the new shape"), std::runtime_error);
+  enter(radius, "3");
+  EXPECT_NEAR(bounds().size().y, 6, 1e-5) << "it stands on the floor, poles above each other";
+  EXPECT_NEAR(bounds().min.y, 0, 1e-5);
+  enter(segments, "8");
+  const auto faces = [this] { return document().objects().meshes.at(1).mesh->face_count(); };
+  EXPECT_EQ(faces(), 8U * 4U) << "half as many rows";
+  EXPECT_TRUE(radius.isVisible());
+  QTest::keyClick(&segments, Qt::Key_Up);
+  EXPECT_EQ(faces(), 9U * 4U) << "at once";
+  EXPECT_EQ(document().undo_stack().count(), 1) << "with the addition it is one step";
+  EXPECT_EQ(document().objects().meshes.at(1).name, "sphere");
+  document().undo_stack().undo();
+  EXPECT_EQ(document().objects().meshes.size(), 1U);
+  EXPECT_FALSE(radius.isVisible());
+  document().undo_stack().redo();
+  EXPECT_EQ(faces(), 9U * 4U);
+  EXPECT_NEAR(bounds().size().y, 6, 1e-5);
+  EXPECT_FALSE(radius.isVisible()) << "after other steps they are fixed";
+}
+
+TEST_F(Placing, FixesANewShapeByTheNextEdit) {
+  open_text(cube("left", 0, 0, 0));
+  test::action(window_, "Add a torus").trigger();
+  auto& tube = test::named<NumberBox>(window_, "Tube radius of the new shape");
+  test::action(window_, "Drop to floor").trigger();
+  EXPECT_TRUE(tube.isVisible()) << "it stands there already: no edit";
+  click({0.5, 0.5, 1});
+  EXPECT_FALSE(tube.isVisible()) << "another object is selected";
+  test::action(window_, "Add a box").trigger();
+  auto& width = test::named<NumberBox>(window_, "Width of the new shape");
+  enter(test::named<NumberBox>(window_, "Height of the new shape"), "2");
+  EXPECT_NEAR(bounds().size().y, 2, 1e-6);
+  type("gx1");
+  EXPECT_FALSE(width.isVisible());
+  EXPECT_EQ(document().undo_stack().count(), 3);
+  test::action(window_, "Add a disc").trigger();
+  auto& radius = test::named<NumberBox>(window_, "Radius of the new shape");
+  EXPECT_TRUE(radius.isVisible());
+  grf::Diagnostics diagnostics;
+  ASSERT_TRUE(document().save(document().path(), diagnostics));
+  EXPECT_FALSE(radius.isVisible()) << "it was saved";
+}
+
 TEST_F(Placing, LeavesScenesOfTheirOwnWithoutAStudio) {
   open_text(cube("left", 0, 0, 0));
   ASSERT_TRUE(document().has_plain_sky());

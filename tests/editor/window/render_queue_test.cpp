@@ -1,12 +1,15 @@
 // Renders several cameras and an animation through the whole window, by keyboard.
+#include <QComboBox>
 #include <QDialog>
 #include <QFileInfo>
+#include <QLabel>
 #include <QListWidget>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "editor/controls/number_box.h"
+#include "editor/image/image_browser.h"
 #include "editor/rendering/render_panel.h"
 #include "renderer/transport/image/image.h"
 #include "tests/editor/window/authoring.h"
@@ -68,6 +71,102 @@ TEST_F(RenderQueue, RendersTheCheckedCameras) {
   EXPECT_EQ(middle_of("scene_at_green.exr"), transport::Rgb(0, 1, 0));
   EXPECT_FALSE(exists("scene_away.exr"));
   EXPECT_EQ(document().options().valid_options().camera, "") << "the options stay";
+}
+
+/// The area light emits red before a background of 0.25 grey; the corners of the image show the background,
+/// and a lens blurs neither.
+class EffectQueue : public RenderQueue {
+ protected:
+  EffectQueue() {
+    std::ofstream(folder_.path("scene.op"))
+        << "BPT_Scene scene.grf\nBPT_Viewer 0 0 5\nBPT_VLook 0 0 0\nBPT_FieldOfView 120\n"
+           "BPT_Image_Resolution 32 24\nBPT_Samples 2\nBPT_Depth 0\nBPT_LensRadius 0.01\n"
+           "BPT_Background 0.25 0.25 0.25\n";
+    open(path("scene.grf"));
+  }
+  transport::Rgb corner_of(const std::string& name) {
+    grf::Diagnostics diagnostics;
+    return transport::read_image(folder_.path(name), diagnostics)->at(0, 0);
+  }
+};
+
+TEST_F(EffectQueue, RendersEachEffectThatThePlanFinds) {
+  QTimer timer;
+  QStringList effects;
+  timer.callOnTimeout([&] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr || !effects.isEmpty()) return;
+    auto& list = test::named<QListWidget>(*dialog, "Effects to render");
+    for (int row = 0; row < list.count(); ++row) effects << list.item(row)->text();
+    QTest::keyClick(dialog, Qt::Key_Return);
+  });
+  timer.start(20);
+  QTest::keyClick(&window_, Qt::Key_F6, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return window_.jobs().jobs().size() == 3; }, test::Minute));
+  EXPECT_EQ(effects, QStringList({"area_lights", "background", "depth_of_field"}));
+  EXPECT_EQ(window_.jobs().jobs()[0]->title(), "Render scene_effect_area_lights.exr");
+  ASSERT_TRUE(are_jobs_done());
+  const transport::Rgb red(1, 0, 0), black(0), grey(0.25F);
+  EXPECT_EQ(middle_of("scene_effect_area_lights.exr"), red);
+  EXPECT_EQ(corner_of("scene_effect_area_lights.exr"), black) << "without the background";
+  EXPECT_EQ(middle_of("scene_effect_background.exr"), black) << "the light emits nothing";
+  EXPECT_EQ(corner_of("scene_effect_background.exr"), grey);
+  EXPECT_EQ(middle_of("scene_effect_depth_of_field.exr"), red) << "in the light of all sources";
+  EXPECT_EQ(corner_of("scene_effect_depth_of_field.exr"), grey);
+  EXPECT_FALSE(exists("scene.exr"));
+  EXPECT_EQ(document().options().valid_options().only, options::RenderOptions().only) << "the options stay";
+  ImageBrowser& images = window_.image_browser();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return images.names().size() == 3; }))
+      << "on the page of images: " << images.names().join(", ").toStdString();
+  EXPECT_TRUE(images.names().contains("scene_effect_depth_of_field.exr"));
+}
+
+TEST_F(RenderQueue, ShowsTheLayersOfAFinishedRender) {
+  options::RenderOptions now = document().options().valid_options();
+  now.layers = {"albedo", "depth", "samples"};
+  document().options().set_options("Layers", now);
+  QTest::keyClick(&window_, Qt::Key_7, Qt::ControlModifier);
+  QTest::keyClick(&window_, Qt::Key_F6);
+  ASSERT_TRUE(are_jobs_done());
+  ImageBrowser& images = window_.image_browser();
+  auto& layers = test::named<QComboBox>(images, "Layer");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return layers.count() == 4; }, test::Minute));
+  images.pane().setFocus();
+  QTest::keyClick(&images.pane(), Qt::Key_L, Qt::ShiftModifier);
+  EXPECT_EQ(layers.currentText(), "samples");
+  QTest::keyClick(&images.pane(), Qt::Key_L, Qt::ShiftModifier);
+  EXPECT_EQ(layers.currentText(), "depth");
+  const QPointF place = images.pane().place_of({16, 12});
+  QMouseEvent move(QEvent::MouseMove, place, images.pane().mapToGlobal(place), Qt::NoButton, {}, {});
+  QApplication::sendEvent(&images.pane(), &move);
+  const auto& values = test::named<QLabel>(images, "Values of the pixel");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return values.text() == "x 16  y 12   depth 5"; }))
+      << "the eye is 5 in front of the square: " << values.text().toStdString();
+}
+
+TEST_F(RenderQueue, ComparesTheImageWithTheOneThatItReplaced) {
+  const QAction& action = *window_.render_panel().compare_action();
+  QTest::keyClick(&window_, Qt::Key_F6);
+  ASSERT_TRUE(are_jobs_done());
+  EXPECT_FALSE(action.isEnabled()) << "there was no image before";
+  options::RenderOptions now = document().options().valid_options();
+  now.camera = "at/green";
+  document().options().set_options("Camera", now);
+  QTest::keyClick(&window_, Qt::Key_F6);
+  ASSERT_TRUE(are_jobs_done());
+  EXPECT_TRUE(action.isEnabled());
+  QTest::keyClick(&window_, Qt::Key_C, Qt::ControlModifier | Qt::AltModifier);
+  ImageBrowser& images = window_.image_browser();
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return images.pane().arrangement() == Arrangement::Wipe; }, test::Minute));
+  EXPECT_EQ(images.names(), QStringList({"scene.exr, before", "scene.exr"}));
+  const QImage view = images.pane().grab().toImage();
+  const auto at = [&](int x) { return view.pixel(images.pane().place_of({x, 20}).toPoint()); };
+  EXPECT_EQ(at(2), qRgb(0, 255, 0)) << "A is the last one";
+  EXPECT_EQ(at(29), qRgb(255, 0, 0)) << "B the one before";
+  const auto& statistics = test::named<QLabel>(images, "Image statistics");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return statistics.text().contains("RMSE 0.8165"); }))  // sqrt(2 / 3)
+      << statistics.text().toStdString();
 }
 
 TEST_F(RenderQueue, RendersNothingAfterEscape) {

@@ -137,6 +137,40 @@ TEST_F(SceneList, HidesTheSelectedFaces) {
   EXPECT_FALSE(is_background(0));
 }
 
+TEST_F(SceneList, OrdersObjectsAndGroupsByKeys) {
+  const auto names = [this] {
+    std::vector<std::string> result;
+    for (const MeshObject& object : document().objects().meshes) result.push_back(object.name);
+    return result;
+  };
+  const auto depth = [this] { return document().selected_objects().at(0).size(); };
+  click_item("right");
+  const auto key = [this](Qt::Key arrow) {
+    list().setFocus();
+    QTest::keyClick(&list(), arrow, Qt::AltModifier);
+    is_at_rest();
+  };
+  key(Qt::Key_Up);
+  EXPECT_THAT(names(), ElementsAre("right", "left"));
+  ASSERT_EQ(document().selected_objects().size(), 1U) << "it stays selected";
+  EXPECT_EQ(list().currentIndex().data().toString(), "right");
+  key(Qt::Key_Up);
+  EXPECT_EQ(document().undo_stack().count(), 1) << "it is the first one already";
+  key(Qt::Key_Down);
+  EXPECT_THAT(names(), ElementsAre("left", "right"));
+  click_item("left", 0, Qt::ControlModifier);
+  QTest::keyClick(&window_, Qt::Key_G, Qt::ControlModifier);
+  window_.scene_tree().view()->expandAll();
+  click_item("right");
+  const std::size_t inside = depth();
+  key(Qt::Key_Left);
+  EXPECT_LT(document().selected_objects().at(0).size(), inside);
+  key(Qt::Key_Down);
+  EXPECT_EQ(document().undo_stack().count(), 4) << "out of the group, it is the last one";
+  document().undo_stack().undo();
+  EXPECT_EQ(depth(), inside);
+}
+
 TEST_F(SceneList, HidesFacesInAllDisplayModes) {
   click(5.5);
   press(Qt::Key_H);
