@@ -6,8 +6,10 @@
 #include <memory>
 #include <vector>
 
+#include "editor/view/environment_textures.h"
 #include "editor/view/g_buffer.h"
 #include "editor/view/scene_buffers.h"
+#include "editor/view/scene_environment.h"
 #include "editor/view/view_camera.h"
 
 namespace editor {
@@ -44,6 +46,8 @@ struct FrameRequest {
   grf::Box3d bounds;  ///< of everything drawn
   ViewStyle style;
   double aspect = 1;
+  /// Lights BRDFs, if it is a map, and is seen in mirrors and behind them; null: a studio does.
+  std::shared_ptr<const SceneEnvironment> environment;
   bool is_draft = false;             ///< with proxy meshes and fewer light samples
   int pass = 0;                      ///< seed of the random numbers
   grf::Vec2d shift = grf::Vec2d(0);  ///< subpixel shift, pixels
@@ -59,6 +63,10 @@ class FrameRenderer {
 
   /// The steps of a render, in order. Scene and G-buffer must outlive them.
   std::vector<Step> steps(SceneBuffers& scene, GBuffer& g_buffer, const FrameRequest& request);
+
+  /// Sets the uniforms of view_environment.glsl in the bound program. Returns whether there is a map, of an
+  /// image that was begun.
+  bool set_environment(QOpenGLShaderProgram& program, const FrameRequest& request);
 
   /// BRDF models, by keyword, whose shader the driver cannot compile, and why. Their light is computed on the
   /// CPU.
@@ -91,7 +99,8 @@ class FrameRenderer {
   void add_brdf_steps(const SharedJob& job, std::vector<Step>& steps);
   void add_line_steps(const SharedJob& job, std::vector<Step>& steps);
   void paint_brdf(const Job& job, std::size_t model, int first_row, int rows);
-  static void paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row, int rows);
+  bool has_map(const FrameRequest& request) const;
+  void paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row, int rows) const;
   void resolve(const Job& job);
   void paint_edges(const Job& job, const Runs& runs, bool are_triangles);
   void paint_points(const Job& job);
@@ -103,7 +112,9 @@ class FrameRenderer {
 
   Gl& gl_;
   const GraphicsDriver driver_;
+  const int most_side_;  // of textures
   GlObject no_vertices_;
+  EnvironmentTextures environment_;
   std::unique_ptr<QOpenGLShaderProgram> geometry_, shade_, texture_, resolve_, lines_, normals_;
   std::map<std::size_t, std::unique_ptr<QOpenGLShaderProgram>> brdfs_;
   std::map<std::string, QString> failed_shaders_;
@@ -116,5 +127,8 @@ constexpr GLuint GBufferUnit = 0;
 constexpr GLuint TablesUnit = 7;
 constexpr GLuint ImageUnit = 11;
 constexpr GLuint RenderedUnit = 12;
+/// Those of an environment map and its directions, and of a backplate.
+constexpr GLuint EnvironmentUnit = 13;
+constexpr GLuint PlateUnit = 15;
 
 }  // namespace editor

@@ -64,6 +64,8 @@ class ViewDrawing {
   void accumulate();
   void compose();
   void load_rendered();
+  void load_plate();
+  void set_background(QOpenGLShaderProgram& program);
 
   Gl& gl_;
   const GraphicsLimits limits_;
@@ -77,6 +79,8 @@ class ViewDrawing {
   std::unique_ptr<GlObject> sum_, sum_target_;
   std::unique_ptr<QOpenGLFramebufferObject> screen_;
   std::unique_ptr<GlObject> rendered_;  // null: none
+  std::unique_ptr<GlObject> plate_;     // likewise
+  std::shared_ptr<const transport::Image> loaded_plate_;
   std::vector<FrameRenderer::Step> steps_;
   std::size_t next_step_ = 0;
   int passes_ = 0;
