@@ -15,6 +15,7 @@
 #include "renderer/command/cost_command.h"
 #include "renderer/command/plan_command.h"
 #include "renderer/command/render_command.h"
+#include "renderer/command/sky_command.h"
 #include "renderer/options/render_options.h"
 #include "renderer/transport/image/image_encoders.h"
 
@@ -189,6 +190,36 @@ void add_decode(CLI::App& app, std::string& image) {
   decode->add_option("IMAGE", image, "the image: exr, hdr, pfm, raw, png, jpg or tga")->required();
 }
 
+void add_sky(CLI::App& app, command::SkyArguments& arguments) {
+  CLI::App* sky = app.add_subcommand(
+      "sky",
+      "Make an environment map of the clear sky and the sun at a place and a time (Preetham et al. 1999)");
+  sky->add_option("--latitude", arguments.latitude, "degrees, north is positive")
+      ->type_name("DEG")
+      ->required();
+  sky->add_option("--longitude", arguments.longitude, "degrees, east is positive")
+      ->type_name("DEG")
+      ->required();
+  sky->add_option("--date", arguments.date, "the day, from 1950 to 2050")
+      ->type_name("YYYY-MM-DD")
+      ->required();
+  sky->add_option("--time", arguments.time, "the local time")->type_name("HH:MM")->required();
+  sky->add_option("--utc-offset", arguments.utc_offset,
+                  "of the local time, in hours, positive in the east (0)")
+      ->type_name("H");
+  sky->add_option("--turbidity", arguments.turbidity, "of the air, from clear, 2, to hazy, 6 (3)")
+      ->type_name("T");
+  sky->add_option("--north", arguments.north,
+                  "direction of north: degrees from -z, counter-clockwise seen from above (0)")
+      ->type_name("DEG");
+  sky->add_option("--width", arguments.width, "of the map in texels, twice its height (1024)")
+      ->type_name("N");
+  sky->add_option("-o,--output", arguments.output, "output image; its luminance is in kcd/m2")
+      ->type_name("FILE.exr")
+      ->required();
+  sky->add_flag("--json", arguments.json, "print one JSON object");
+}
+
 /// Decodes an image for programs that leave untrusted images to a separate process. Errors do not name the
 /// file.
 ExitCode decode(const std::string& path) {
@@ -278,6 +309,8 @@ ExitCode run(int argc, char** argv) {
   add_decode(app, decoded_image);
   command::CostArguments cost_arguments;
   add_cost(app, cost_arguments);
+  command::SkyArguments sky_arguments;
+  add_sky(app, sky_arguments);
   app.set_version_flag("--version", "bpt " GRANADA_VERSION);
   try {
     app.parse(with_command(argc, argv, app));
@@ -288,6 +321,7 @@ ExitCode run(int argc, char** argv) {
   if (app.got_subcommand("compare")) return command::compare(compare_arguments);
   if (app.got_subcommand("decode")) return decode(decoded_image);
   if (app.got_subcommand("cost")) return command::cost(cost_arguments);
+  if (app.got_subcommand("sky")) return command::sky(sky_arguments);
   if (app.got_subcommand("plan")) return command::plan(plan_arguments);
   if (app.got_subcommand("bake")) return command::bake(bake_arguments);
   return command::render(arguments);
