@@ -1,13 +1,20 @@
 // The environment of a scene, seen and turned through the whole window, by pointer and keyboard.
 #include <QComboBox>
+#include <QDateEdit>
 #include <QDockWidget>
 #include <QImage>
+#include <QLabel>
+#include <QPushButton>
+#include <QTimeEdit>
+#include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "editor/brdf/brdf_editor.h"
 #include "editor/controls/number_box.h"
+#include "editor/panels/sky_dialog.h"
 #include "editor/view/environment_store.h"
 #include "renderer/transport/image/image_encoders.h"
 #include "tests/editor/window/authoring.h"
@@ -119,6 +126,96 @@ TEST_F(EnvironmentInWindow, LightsTheSphereOfTheBrdfDock) {
   ASSERT_EQ(document().options().valid_options().environment, "");
   EXPECT_FALSE(light.isEnabled());
   EXPECT_EQ(at_the_left(), in_studio);
+}
+
+/// Opens the dialog of the sky, in which the morning sun of the example of Reda and Andreas 2004 is set.
+SkyDialog& open_sky(MainWindow& window) {
+  QTest::mouseClick(&test::named<QPushButton>(window, "Sky by place and time"), Qt::LeftButton);
+  auto& dialog = *window.findChild<SkyDialog*>();
+  EXPECT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+  const auto type = [&dialog](const char* field, const char* text) {
+    auto& box = test::named<QAbstractSpinBox>(dialog, field);
+    box.setFocus();
+    box.selectAll();
+    QTest::keyClicks(&box, text);
+    QTest::keyClick(&box, Qt::Key_Tab);
+  };
+  type("Latitude", "39.742476");
+  type("Longitude", "-105.1786");
+  type("Offset from UTC", "-7");
+  test::named<QDateEdit>(dialog, "Date").setDate({2003, 10, 17});
+  test::named<QTimeEdit>(dialog, "Local time").setTime({12, 30, 30});
+  return dialog;
+}
+
+QString summary_of(const SkyDialog& dialog) {
+  return test::named<QLabel>(dialog, "The sun and its light").text();
+}
+
+bool shows(const SkyDialog& dialog, const QString& text) {
+  return QTest::qWaitFor([&] { return summary_of(dialog).contains(text); }, test::Minute);
+}
+
+TEST_F(EnvironmentInWindow, IsASkyByPlaceAndTime) {
+  SkyDialog& dialog = open_sky(window_);
+  ASSERT_TRUE(shows(dialog, "azimuth 194.3° from north over east, elevation 39.9°"))
+      << summary_of(dialog).toStdString();
+  // North is -z, in the middle of the picture: the sun is 14 degrees right of its left border, and 50 under
+  // its top.
+  const QImage picture = test::named<QLabel>(dialog, "Picture of the sky").pixmap().toImage();
+  const auto brightness = [&](int x, int y) { return qGray(picture.pixel(x, y)); };
+  EXPECT_GT(brightness(picture.width() * 14 / 360, picture.height() * 50 / 180), 250);
+  EXPECT_GT(qBlue(picture.pixel(picture.width() / 2, 10)), qRed(picture.pixel(picture.width() / 2, 10)) + 20);
+  const int steps = document().undo_stack().count();
+  QPushButton* button = nullptr;
+  for (QPushButton* each : dialog.findChildren<QPushButton*>()) {
+    if (each->text() == "Set environment") button = each;
+  }
+  ASSERT_NE(button, nullptr);
+  QTest::mouseClick(button, Qt::LeftButton);
+  const auto& options = document().options().valid_options();
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return options.environment == folder_.path("scene-sky.exr"); }, test::Minute))
+      << options.environment;
+  EXPECT_EQ(document().undo_stack().count(), steps + 1);
+  grf::Diagnostics diagnostics;
+  const auto image = transport::read_image(options.environment, diagnostics);
+  ASSERT_TRUE(image) << diagnostics.to_text();
+  EXPECT_EQ(image->width, 1024);
+  // The brightness makes a white horizontal surface 1.
+  double irradiance = 0;
+  for (int y = 0; y < image->height / 2; ++y) {
+    const double theta = std::numbers::pi * (y + 0.5) / image->height;
+    for (int x = 0; x < image->width; ++x) {
+      irradiance += double(image->at(x, y).y) * std::cos(theta) * std::sin(theta) *
+                    std::pow(std::numbers::pi / image->height, 2);
+    }
+  }
+  EXPECT_NEAR(irradiance / std::numbers::pi * double(options.environment_scale), 1, 0.1);
+  document().undo_stack().undo();
+  EXPECT_EQ(options.environment, folder_.path("halves.pfm"));
+  EXPECT_EQ(options.environment_scale, 1);
+  // Another sky is another file, so that undo keeps the first one.
+  ASSERT_TRUE(QTest::qWaitFor([this] { return window_.findChild<SkyDialog*>() == nullptr; }, test::Minute));
+  SkyDialog& again = open_sky(window_);
+  ASSERT_TRUE(shows(again, "azimuth 194.3"));
+  QTest::keyClick(&again, Qt::Key_Return);
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return options.environment == folder_.path("scene-sky-2.exr"); }, test::Minute))
+      << options.environment;
+}
+
+TEST_F(EnvironmentInWindow, HasNoSkyAtNight) {
+  SkyDialog& dialog = open_sky(window_);
+  ASSERT_TRUE(shows(dialog, "azimuth 194.3"));
+  auto& time = test::named<QTimeEdit>(dialog, "Local time");
+  time.setTime({23, 0});
+  ASSERT_TRUE(shows(dialog, "below the horizon"));
+  for (QPushButton* each : dialog.findChildren<QPushButton*>()) {
+    EXPECT_EQ(each->isEnabled(), each->text() != "Set environment") << each->text().toStdString();
+  }
+  QTest::keyClick(&dialog, Qt::Key_Escape);
+  EXPECT_EQ(document().options().valid_options().environment, folder_.path("halves.pfm"));
 }
 
 }  // namespace
