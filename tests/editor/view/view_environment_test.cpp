@@ -208,7 +208,7 @@ TEST_F(ViewEnvironment, LightsWhatTheCpuShades) {
   const SceneObjects objects =
       test::objects_of_text(test::cube_text("brdf ward sx=0.2 sy=0.3 ks=0.6 kd=0.3"));
   Image image = patches();
-  image.pixels[4 * 24 + 15] = Rgb(90);
+  image.pixels[4 * 24 + 3] = Rgb(90);  // behind the eye: a light shines on the front
   ShownView by_glsl(objects);
   show(by_glsl, image, 25);
   const QImage expected = image_;
