@@ -156,6 +156,7 @@ void EnvironmentForm::add_sky() {
 void EnvironmentForm::make_sky() {
   if (!sky_) {
     sky_ = new SkyDialog(this);
+    sky_->setAttribute(Qt::WA_DeleteOnClose);
     connect(sky_, &SkyDialog::file_wanted, this, [this] { sky_->set_file(sky_file()); });
     connect(sky_, &SkyDialog::made, this, [this](const QString& file, double brightness) {
       set_environment(render_options_, file, brightness);

@@ -49,7 +49,6 @@ SkyDialog::SkyDialog(QWidget* parent)
       picture_(new QLabel(this)),
       summary_(new QLabel(this)) {
   setWindowTitle(tr("Sky by place and time"));
-  setAttribute(Qt::WA_DeleteOnClose);
   auto* form = new QFormLayout(this);
   form->setContentsMargins(2 * Grid, 2 * Grid, 2 * Grid, 2 * Grid);
   form->setVerticalSpacing(Grid);
@@ -91,7 +90,9 @@ SkyDialog::SkyDialog(QWidget* parent)
                  0);
   summary_->setAccessibleName(tr("The sun and its light"));
   summary_->setWordWrap(true);
-  summary_->setMinimumHeight(summary_->fontMetrics().lineSpacing() * 2);
+  summary_->setFixedWidth(PictureWidth);
+  summary_->setMinimumHeight(summary_->fontMetrics().lineSpacing() * 4);  // translations are longer
+  summary_->setAlignment(Qt::AlignTop);
   form->addRow(summary_);
   add_buttons(*form);
   connect(date_, &QDateEdit::dateChanged, this, &SkyDialog::update_picture);

@@ -19,6 +19,10 @@ QByteArray environment_text() {
          shader_text({"object_environment.glsl"});
 }
 
+QByteArray view_environment_preface(bool has_map) {
+  return has_map ? "#define HAS_MAP\n" + environment_text() : QByteArray();
+}
+
 void EnvironmentTextures::load(const studies::Environment& sky, int most_side) {
   if (sky.map == loaded_) return;
   loaded_ = sky.map;

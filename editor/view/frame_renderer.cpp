@@ -60,9 +60,11 @@ FrameRenderer::FrameRenderer(Gl& gl, const GraphicsDriver& driver)
   geometry_ = program_of(driver, "geometry.vert", {"shading_normal.glsl", "geometry.frag"});
   shade_ = program_of(driver, "screen.vert", {"g_buffer.glsl", "shade.frag"});
   texture_ = program_of(driver, "screen.vert", {"g_buffer.glsl", "texture.frag"});
-  resolve_ = program_of(driver, "screen.vert",
-                        {"g_buffer.glsl", "sky.glsl", "view_environment.glsl", "resolve.frag"}, {},
-                        environment_text());
+  for (const bool has_map : {false, true}) {
+    resolve_[has_map ? 1 : 0] = program_of(
+        driver, "screen.vert", {"g_buffer.glsl", "sky.glsl", "view_environment.glsl", "resolve.frag"}, {},
+        view_environment_preface(has_map));
+  }
   lines_ = program_of(driver, "lines.vert", {"lines.frag"});
   normals_ = program_of(driver, "normals.vert", {"lines.frag"}, "normals.geom");
 }
@@ -306,7 +308,7 @@ void FrameRenderer::paint_normals(const Job& job, bool of_faces) {
 void FrameRenderer::add_brdf_steps(const SharedJob& job, std::vector<Step>& steps) {
   for (const std::size_t model : job->scene.surfaces().models) {
     // A shader is compiled in the first step that needs it, so that other requests wait less.
-    const auto made = brdfs_.find(model);
+    const auto made = brdfs_.find({model, has_map(job->request)});
     const int rows = made != brdfs_.end() && made->second == nullptr ? RowsByCpp : BrdfRows;
     for (int row = 0; row < job->g_buffer.size().height(); row += rows) {
       steps.emplace_back([this, job, model, row, rows] { paint_brdf(*job, model, row, rows); });
@@ -315,18 +317,20 @@ void FrameRenderer::add_brdf_steps(const SharedJob& job, std::vector<Step>& step
   steps.emplace_back([this, job] { resolve(*job); });
 }
 
-QOpenGLShaderProgram* FrameRenderer::brdf_program(std::size_t model) {
-  const auto [entry, is_new] = brdfs_.try_emplace(model);
+QOpenGLShaderProgram* FrameRenderer::brdf_program(const BrdfProgram& key) {
+  const auto [model, has_map] = key;
+  const auto [entry, is_new] = brdfs_.try_emplace(key);
   if (!is_new) return entry->second.get();
   const reflectance::FormulaShader shader = reflectance::formula_shader(
       model, [](std::size_t k) { return "parameter(" + std::to_string(k) + ")"; });
-  const QByteArray text = GlslVersion + shader_text({"g_buffer.glsl"}) +
-                          QByteArray::fromStdString(shader.functions) +
-                          QByteArray::fromStdString(std::string(reflectance::shader_file("studio"))) +
-                          shader_text({"brdf_parameters.glsl"}) + "vec3 model(vec3 u, vec3 v) { return " +
-                          QByteArray::fromStdString(shader.call) + "; }\n" +
-                          shader_text({"object_environment.glsl", "sky.glsl", "view_environment.glsl",
-                                       "reflected_light.glsl", "brdf.frag"});
+  QByteArray text = GlslVersion + shader_text({"g_buffer.glsl"}) +
+                    QByteArray::fromStdString(shader.functions) + shader_text({"brdf_parameters.glsl"}) +
+                    "vec3 model(vec3 u, vec3 v) { return " + QByteArray::fromStdString(shader.call) + "; }\n";
+  if (has_map) {
+    text += "#define HAS_MAP\n" + QByteArray::fromStdString(std::string(reflectance::shader_file("studio"))) +
+            shader_text({"object_environment.glsl"});
+  }
+  text += shader_text({"sky.glsl", "view_environment.glsl", "reflected_light.glsl", "brdf.frag"});
   CompiledProgram made = driver_.compile({GlslVersion + shader_text({"screen.vert"}), text});
   if (made.program == nullptr) failed_shaders_.emplace(shader.keyword, first_line(made.log));
   entry->second = std::move(made.program);
@@ -350,11 +354,11 @@ bool FrameRenderer::has_map(const FrameRequest& request) const {
          request.environment->sky.map->image().width <= most_side_;
 }
 
-bool FrameRenderer::set_environment(QOpenGLShaderProgram& program, const FrameRequest& request) {
+void FrameRenderer::set_environment(QOpenGLShaderProgram& program, const FrameRequest& request) {
   const bool is_map = has_map(request);
   const SceneEnvironment none;
   const SceneEnvironment& environment = is_map ? *request.environment : none;
-  environment_.set(program, environment.sky, EnvironmentUnit);
+  if (is_map) environment_.set(program, environment.sky, EnvironmentUnit);
   const std::vector<reflectance::DistantLight> lights = environment.world_lights();
   std::array<QVector3D, studies::MostMapLights> directions;
   std::array<QVector3D, studies::MostMapLights> irradiance;
@@ -367,12 +371,12 @@ bool FrameRenderer::set_environment(QOpenGLShaderProgram& program, const FrameRe
   program.setUniformValue("light_count", static_cast<GLint>(lights.size()));
   program.setUniformValue("sky_limit", environment.limit());
   program.setUniformValue("headlight", is_map ? 0.0F : StudioHeadlight);
-  return is_map;
 }
 
 void FrameRenderer::paint_brdf(const Job& job, std::size_t model, int first_row, int rows) {
-  if (brdf_program(model) == nullptr) return paint_brdf_by_cpp(job, model, first_row, rows);
-  QOpenGLShaderProgram& program = *brdf_program(model);
+  QOpenGLShaderProgram* const made = brdf_program({model, has_map(job.request)});
+  if (made == nullptr) return paint_brdf_by_cpp(job, model, first_row, rows);
+  QOpenGLShaderProgram& program = *made;
   job.g_buffer.begin(GBuffer::Target::Light);
   gl_.glEnable(GL_SCISSOR_TEST);
   gl_.glScissor(0, first_row, job.g_buffer.size().width(), rows);
@@ -402,11 +406,12 @@ void FrameRenderer::paint_brdf_by_cpp(const Job& job, std::size_t model, int fir
 void FrameRenderer::resolve(const Job& job) {
   job.g_buffer.begin(GBuffer::Target::Colour);
   gl_.glDisable(GL_BLEND);
-  resolve_->bind();
-  resolve_->setUniformValue("mirror_values", SurfaceTables::SpecularValues);
-  set_eye(*resolve_, job);
-  set_environment(*resolve_, job.request);
-  cover(*resolve_, job);
+  QOpenGLShaderProgram& program = *resolve_[has_map(job.request) ? 1 : 0];
+  program.bind();
+  program.setUniformValue("mirror_values", SurfaceTables::SpecularValues);
+  set_eye(program, job);
+  set_environment(program, job.request);
+  cover(program, job);
 }
 
 }  // namespace editor

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <QColor>
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "editor/view/environment_textures.h"
@@ -64,9 +66,11 @@ class FrameRenderer {
   /// The steps of a render, in order. Scene and G-buffer must outlive them.
   std::vector<Step> steps(SceneBuffers& scene, GBuffer& g_buffer, const FrameRequest& request);
 
-  /// Sets the uniforms of view_environment.glsl in the bound program. Returns whether there is a map, of an
-  /// image that was begun.
-  bool set_environment(QOpenGLShaderProgram& program, const FrameRequest& request);
+  /// Whether an image shows an environment map.
+  bool has_map(const FrameRequest& request) const;
+  /// Sets the uniforms of view_environment.glsl for an image that was begun, in the bound program, which has
+  /// a map if the image has.
+  void set_environment(QOpenGLShaderProgram& program, const FrameRequest& request);
 
   /// BRDF models, by keyword, whose shader the driver cannot compile, and why. Their light is computed on the
   /// CPU.
@@ -89,6 +93,8 @@ class FrameRenderer {
     MeshBuffers* mesh(std::size_t instance) const;
   };
   using SharedJob = std::shared_ptr<const Job>;
+  /// The number of a model, and whether there is an environment map.
+  using BrdfProgram = std::pair<std::size_t, bool>;
 
   static std::vector<Runs> runs_of(const Job& job, std::size_t (MeshBuffers::*count)() const,
                                    std::size_t size);
@@ -99,7 +105,6 @@ class FrameRenderer {
   void add_brdf_steps(const SharedJob& job, std::vector<Step>& steps);
   void add_line_steps(const SharedJob& job, std::vector<Step>& steps);
   void paint_brdf(const Job& job, std::size_t model, int first_row, int rows);
-  bool has_map(const FrameRequest& request) const;
   void paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row, int rows) const;
   void resolve(const Job& job);
   void paint_edges(const Job& job, const Runs& runs, bool are_triangles);
@@ -108,15 +113,16 @@ class FrameRenderer {
   void cover(QOpenGLShaderProgram& program, const Job& job);
   void set_eye(QOpenGLShaderProgram& program, const Job& job);
   /// Null if the driver cannot compile it.
-  QOpenGLShaderProgram* brdf_program(std::size_t model);
+  QOpenGLShaderProgram* brdf_program(const BrdfProgram& key);
 
   Gl& gl_;
   const GraphicsDriver driver_;
   const int most_side_;  // of textures
   GlObject no_vertices_;
   EnvironmentTextures environment_;
-  std::unique_ptr<QOpenGLShaderProgram> geometry_, shade_, texture_, resolve_, lines_, normals_;
-  std::map<std::size_t, std::unique_ptr<QOpenGLShaderProgram>> brdfs_;
+  std::unique_ptr<QOpenGLShaderProgram> geometry_, shade_, texture_, lines_, normals_;
+  std::array<std::unique_ptr<QOpenGLShaderProgram>, 2> resolve_;  // without and with a map
+  std::map<BrdfProgram, std::unique_ptr<QOpenGLShaderProgram>> brdfs_;
   std::map<std::string, QString> failed_shaders_;
 };
 

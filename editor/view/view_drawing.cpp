@@ -49,10 +49,13 @@ ViewDrawing::ViewDrawing(Gl& gl, const GraphicsDriver& driver)
       renderer_(gl, driver),
       overlay_(gl, driver),
       no_vertices_(gl, GlKind::VertexArray),
-      accumulate_(program_of(driver, "screen.vert", {"g_buffer.glsl", "accumulate.frag"})),
-      compose_(program_of(driver, "screen.vert",
-                          {"g_buffer.glsl", "sky.glsl", "view_environment.glsl", "compose.frag"}, {},
-                          environment_text())) {}
+      accumulate_(program_of(driver, "screen.vert", {"g_buffer.glsl", "accumulate.frag"})) {
+  for (const bool has_map : {false, true}) {
+    compose_[has_map ? 1 : 0] = program_of(
+        driver, "screen.vert", {"g_buffer.glsl", "sky.glsl", "view_environment.glsl", "compose.frag"}, {},
+        view_environment_preface(has_map));
+  }
+}
 
 void ViewDrawing::show(ViewState state) {
   state = with_sides_up_to(std::move(state), limits_.texture_side);
@@ -288,7 +291,7 @@ void ViewDrawing::set_background(QOpenGLShaderProgram& program) {
   program.setUniformValue("view_forward", to_qt(request.camera.forward()));
   program.setUniformValue("view_right", to_qt(request.camera.right() * (tangent * request.aspect)));
   program.setUniformValue("view_up", to_qt(request.camera.up() * tangent));
-  program.setUniformValue("has_environment", renderer_.set_environment(program, request));
+  renderer_.set_environment(program, request);
   program.setUniformValue("plate", static_cast<GLint>(PlateUnit));
   program.setUniformValue("plate_width",
                           plate_ ? static_cast<float>(state_.backplate_aspect / request.aspect) : 0.0F);
@@ -312,20 +315,21 @@ void ViewDrawing::compose() {
   gl_.glDepthMask(GL_TRUE);
   buffer.bind_textures(GBufferUnit);
   scene_.bind_tables(TablesUnit);
-  compose_->bind();
-  set_shader_units(*compose_);
-  compose_->setUniformValue("sum", static_cast<GLint>(ImageUnit));
-  compose_->setUniformValue("has_selection", scene_.has_selection());
-  compose_->setUniformValue("has_borders", is_full());  // expensive
-  compose_->setUniformValue("sum_weight", is_full() ? 1 / static_cast<float>(passes_) : 0.0F);
-  compose_->setUniformValue(
-      "to_picture", QPointF(size.width() / state_.size.width(), size.height() / state_.size.height()));
-  set_background(*compose_);
-  compose_->setUniformValue("size", QPointF(state_.size.width(), state_.size.height()));
-  compose_->setUniformValue("rendered", static_cast<GLint>(RenderedUnit));
-  compose_->setUniformValue("has_rendered", rendered_ != nullptr);
-  compose_->setUniformValue("accent", rgb(state_.colours.accent));
-  compose_->setUniformValue("fill", AccentFill);
+  QOpenGLShaderProgram& program = *compose_[renderer_.has_map(state_.request) ? 1 : 0];
+  program.bind();
+  set_shader_units(program);
+  program.setUniformValue("sum", static_cast<GLint>(ImageUnit));
+  program.setUniformValue("has_selection", scene_.has_selection());
+  program.setUniformValue("has_borders", is_full());  // expensive
+  program.setUniformValue("sum_weight", is_full() ? 1 / static_cast<float>(passes_) : 0.0F);
+  program.setUniformValue("to_picture",
+                          QPointF(size.width() / state_.size.width(), size.height() / state_.size.height()));
+  set_background(program);
+  program.setUniformValue("size", QPointF(state_.size.width(), state_.size.height()));
+  program.setUniformValue("rendered", static_cast<GLint>(RenderedUnit));
+  program.setUniformValue("has_rendered", rendered_ != nullptr);
+  program.setUniformValue("accent", rgb(state_.colours.accent));
+  program.setUniformValue("fill", AccentFill);
   if (is_full()) {
     gl_.glActiveTexture(GL_TEXTURE0 + ImageUnit);
     gl_.glBindTexture(GL_TEXTURE_2D, sum_->name());

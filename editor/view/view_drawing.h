@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QOpenGLFramebufferObject>
 #include <QStringList>
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -74,7 +75,8 @@ class ViewDrawing {
   FrameRenderer renderer_;
   OverlayPainter overlay_;
   GlObject no_vertices_;
-  std::unique_ptr<QOpenGLShaderProgram> accumulate_, compose_;
+  std::unique_ptr<QOpenGLShaderProgram> accumulate_;
+  std::array<std::unique_ptr<QOpenGLShaderProgram>, 2> compose_;  // without and with a map
   std::unique_ptr<GBuffer> full_, more_, draft_;
   std::unique_ptr<GlObject> sum_, sum_target_;
   std::unique_ptr<QOpenGLFramebufferObject> screen_;

@@ -4,7 +4,6 @@ uniform float sum_weight;  // 0 shows the image's own colours
 uniform vec2 to_picture;   // image pixels per screen pixel
 uniform vec3 background_top;
 uniform vec3 background_bottom;
-uniform bool has_environment;                    // behind the scene
 uniform vec3 view_forward, view_right, view_up;  // the last two are half the image plane at distance 1
 uniform sampler2D plate;                         // image behind the scene, its first row on top
 uniform float plate_width;                       // fraction of the screen's; 0: none
@@ -25,12 +24,13 @@ bool is_selected(ivec2 place) {
 }
 
 vec3 background(vec2 at) {
-  if (has_environment) {
-    return tone_mapped(visible_sky(normalize(view_forward + view_right * (at.x * 2 - 1) + view_up * (at.y * 2 - 1))));
-  }
+#ifdef HAS_MAP
+  return tone_mapped(visible_sky(normalize(view_forward + view_right * (at.x * 2 - 1) + view_up * (at.y * 2 - 1))));
+#else
   float across = plate_width > 0 ? 0.5 + (at.x - 0.5) / plate_width : -1;
   if (across >= 0 && across <= 1) return tone_mapped(plate_scale * texture(plate, vec2(across, 1 - at.y)).rgb);
   return mix(background_bottom, background_top, at.y);
+#endif
 }
 
 vec3 with_selection(vec3 shown, ivec2 place) {
