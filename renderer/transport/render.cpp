@@ -31,9 +31,10 @@ double error_against_target(const ErrorEstimate& estimate) {
 Render::Render(const CompiledScene& scene, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
+      crop_(settings.crop.value_or(CropWindow{0, 0, settings.width, settings.height})),
       kernel_(kernel_of(scene, settings.integrator)),
       camera_(relative_to(scene.origin(), settings.view), settings.width, settings.height),
-      film_(settings.width, settings.height),
+      film_(crop_.width, crop_.height),
       start_(std::chrono::steady_clock::now()),
       start_ticks_(processor_ticks()) {}
 
@@ -179,7 +180,7 @@ void Render::render_pixel(const TileWork& work, int x, int y, FilmTile& tile, Re
       if (tile.add(x, y, scrambling, radiance)) continue;
       assert(false && "a sample is not finite");
       ++done.rejected;
-      const auto index = static_cast<std::uint64_t>(image_y) * settings_.width + image_x;
+      const auto index = static_cast<std::uint64_t>(image_y) * film_.width() + image_x;
       done.first_rejected = std::min(done.first_rejected, index);
     }
   }
@@ -202,9 +203,11 @@ void Render::keep_tile(const TileWork& work, const FilmTile& tile, const RenderT
   error_sums_ += now - before;
 }
 
-// Each scrambling uses the samples of its own sequence in order.
-Rgb Render::sample(Kernel kernel, int x, int y, int scrambling, std::uint32_t number,
+// Each scrambling uses the samples of its own sequence in order. The position is that in the crop window.
+Rgb Render::sample(Kernel kernel, int crop_x, int crop_y, int scrambling, std::uint32_t number,
                    RayCounter& counter) const {
+  const int x = crop_.x + crop_x;
+  const int y = crop_.y + crop_y;
   const std::uint32_t pixel_seed =
       hash(hash(settings_.seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
   PathSampler sampler(hash(pixel_seed, static_cast<std::uint32_t>(scrambling)), number, settings_.pattern);
@@ -218,7 +221,7 @@ Rgb Render::sample(Kernel kernel, int x, int y, int scrambling, std::uint32_t nu
 std::optional<NotFinite> Render::cause_of_rejection() const {
   const RenderTotals all = totals();
   if (all.rejected == 0) return std::nullopt;
-  const auto width = static_cast<std::uint64_t>(settings_.width);
+  const auto width = static_cast<std::uint64_t>(film_.width());
   const int x = static_cast<int>(all.first_rejected % width);
   const int y = static_cast<int>(all.first_rejected / width);
   const Kernel kernel = searching_kernel_of(scene_, settings_.integrator);
@@ -274,8 +277,6 @@ bool Render::ends_early() {
 double Render::elapsed() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
-
-double Render::pixel_count() const { return static_cast<double>(settings_.width) * settings_.height; }
 
 RenderTotals Render::totals() const {
   const std::lock_guard lock(totals_lock_);
@@ -342,8 +343,7 @@ RenderProgress Render::progress() const {
 
 Snapshot Render::snapshot(bool with_variance) const {
   Snapshot snapshot;
-  snapshot.mean = {settings_.width, settings_.height,
-                   std::vector<Rgb>(static_cast<std::size_t>(pixel_count()))};
+  snapshot.mean = {film_.width(), film_.height(), std::vector<Rgb>(static_cast<std::size_t>(pixel_count()))};
   if (with_variance) snapshot.variance = snapshot.mean;
   FilmTile tile;
   for (int i = 0; i < film_.tile_count(); ++i) {
