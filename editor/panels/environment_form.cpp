@@ -150,6 +150,7 @@ void EnvironmentForm::add_sky() {
   button->setToolTip(tr("Make an environment map of the clear sky and the sun at a place and a time"));
   button->setAccessibleName(tr("Sky by place and time"));
   static_cast<QGridLayout*>(layout())->addWidget(button, SkyRow, 1, 1, 2);
+  setTabOrder(maps_, button);  // before the background, which was made earlier
   connect(button, &QPushButton::clicked, this, &EnvironmentForm::make_sky);
 }
 

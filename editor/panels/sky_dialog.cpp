@@ -40,14 +40,20 @@ QImage picture_of(const sky::SkyMap& map) {
   return picture;
 }
 
+/// A field for a date or a time that Tab leaves at once: arrow keys go through its parts.
+template <class Edit>
+class OneStop : public Edit {
+ public:
+  using Edit::Edit;
+
+ protected:
+  bool focusNextPrevChild(bool is_next) override { return QWidget::focusNextPrevChild(is_next); }
+};
+
 }  // namespace
 
 SkyDialog::SkyDialog(QWidget* parent)
-    : QDialog(parent),
-      date_(new QDateEdit(this)),
-      time_(new QTimeEdit(this)),
-      picture_(new QLabel(this)),
-      summary_(new QLabel(this)) {
+    : QDialog(parent), picture_(new QLabel(this)), summary_(new QLabel(this)) {
   setWindowTitle(tr("Sky by place and time"));
   auto* form = new QFormLayout(this);
   form->setContentsMargins(2 * Grid, 2 * Grid, 2 * Grid, 2 * Grid);
@@ -62,17 +68,7 @@ SkyDialog::SkyDialog(QWidget* parent)
   longitude_ = add_number(
       *form, tr("Longitude"),
       {tr("Longitude"), tr("Longitude of the place; east is positive"), -180, 180, 1, "deg"}, -3.6);
-  date_->setDisplayFormat("yyyy-MM-dd");
-  date_->setDateRange({1950, 1, 1}, {2050, 12, 31});
-  date_->setDate({QDate::currentDate().year(), 6, 21});
-  date_->setAccessibleName(tr("Date"));
-  date_->setToolTip(tr("The day: year, month and day, from 1950 to 2050"));
-  form->addRow(tr("Date"), date_);
-  time_->setDisplayFormat("HH:mm");
-  time_->setTime({12, 0});
-  time_->setAccessibleName(tr("Local time"));
-  time_->setToolTip(tr("The local time of the day"));
-  form->addRow(tr("Local time"), time_);
+  add_time(*form);
   utc_offset_ = add_number(
       *form, tr("Offset from UTC"),
       {tr("Offset from UTC"),
@@ -95,8 +91,6 @@ SkyDialog::SkyDialog(QWidget* parent)
   summary_->setAlignment(Qt::AlignTop);
   form->addRow(summary_);
   add_buttons(*form);
-  connect(date_, &QDateEdit::dateChanged, this, &SkyDialog::update_picture);
-  connect(time_, &QTimeEdit::timeChanged, this, &SkyDialog::update_picture);
   load_place();
   update_picture();
 }
@@ -109,6 +103,25 @@ NumberBox* SkyDialog::add_number(QFormLayout& form, const QString& label, const 
   connect(box, &NumberBox::changing, this, &SkyDialog::update_picture);
   connect(box, &NumberBox::edited, this, &SkyDialog::update_picture);
   return box;
+}
+
+/// Adds date and time after the place: Tab visits fields in the order in which they are made.
+void SkyDialog::add_time(QFormLayout& form) {
+  date_ = new OneStop<QDateEdit>(this);
+  time_ = new OneStop<QTimeEdit>(this);
+  date_->setDisplayFormat("yyyy-MM-dd");
+  date_->setDateRange({1950, 1, 1}, {2050, 12, 31});
+  date_->setDate({QDate::currentDate().year(), 6, 21});
+  date_->setAccessibleName(tr("Date"));
+  date_->setToolTip(tr("The day: year, month and day, from 1950 to 2050"));
+  form.addRow(tr("Date"), date_);
+  time_->setDisplayFormat("HH:mm");
+  time_->setTime({12, 0});
+  time_->setAccessibleName(tr("Local time"));
+  time_->setToolTip(tr("The local time of the day"));
+  form.addRow(tr("Local time"), time_);
+  connect(date_, &QDateEdit::dateChanged, this, &SkyDialog::update_picture);
+  connect(time_, &QTimeEdit::timeChanged, this, &SkyDialog::update_picture);
 }
 
 void SkyDialog::add_buttons(QFormLayout& form) {

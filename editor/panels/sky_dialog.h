@@ -47,6 +47,7 @@ class SkyDialog : public QDialog {
   };
 
   NumberBox* add_number(QFormLayout& form, const QString& label, const NumberInfo& info, double value);
+  void add_time(QFormLayout& form);
   void add_buttons(QFormLayout& form);
   void load_place();
   void save_place() const;
@@ -56,8 +57,8 @@ class SkyDialog : public QDialog {
 
   NumberBox* latitude_ = nullptr;
   NumberBox* longitude_ = nullptr;
-  QDateEdit* date_;
-  QTimeEdit* time_;
+  QDateEdit* date_ = nullptr;
+  QTimeEdit* time_ = nullptr;
   NumberBox* utc_offset_ = nullptr;
   NumberBox* turbidity_ = nullptr;
   NumberBox* north_ = nullptr;
