@@ -2,6 +2,7 @@
 
 #include <QButtonGroup>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDragEnterEvent>
 #include <QGridLayout>
 #include <QLabel>
@@ -137,7 +138,35 @@ QWidget* BrdfEditor::sphere_with_exposure() {
   add_number(*row, tr("Exposure"), tr("Exposure of the sphere in stops"), "", -5, 5, 0,
              [this](double stops) { sphere_->set_exposure(stops); });
   column->addLayout(row);
+  column->addWidget(light_choice());
   return holder;
+}
+
+QWidget* BrdfEditor::light_choice() {
+  auto* holder = new QWidget;
+  auto* row = tight_layout<QHBoxLayout>(holder);
+  light_ = narrow_list(tr("Light of the sphere"), {}, 8, holder);
+  light_->addItems({tr("Studio and a lamp"), tr("Environment")});
+  row->addWidget(new QLabel(tr("Light")));
+  row->addWidget(light_, 1);
+  connect(light_, &QComboBox::currentIndexChanged, this, &BrdfEditor::light_sphere);
+  set_environment(std::nullopt);
+  return holder;
+}
+
+void BrdfEditor::set_environment(const std::optional<studies::Environment>& environment) {
+  environment_ = environment;
+  light_->setEnabled(environment.has_value());
+  light_->setToolTip(environment
+                         ? tr("What lights the sphere: a studio and a lamp that the pointer moves, or the "
+                              "environment map of the scene, seen along -z")
+                         : tr("The environment map of the scene can light the sphere; the scene has none"));
+  light_sphere();
+}
+
+/// The choice is kept while the scene has no map.
+void BrdfEditor::light_sphere() {
+  sphere_->set_environment(light_->currentIndex() == 1 ? environment_ : std::nullopt);
 }
 
 QWidget* BrdfEditor::lobe_with_choices() {

@@ -12,6 +12,7 @@
 #include "editor/brdf/model_form.h"
 
 class QButtonGroup;
+class QComboBox;
 class QSplitter;
 
 namespace editor {
@@ -33,6 +34,8 @@ class BrdfEditor : public QWidget {
   void set_definitions(const Definitions& definitions);
   /// Sets the sampling scheme of the selection, whose pdf the plots show.
   void set_scheme(const std::optional<grf::PdfModel>& scheme) { plots_->set_scheme(scheme); }
+  /// Sets the environment map of the scene, which can light the sphere; empty: it has none.
+  void set_environment(const std::optional<studies::Environment>& environment);
   /// Sets the view that is shown where there is space for one.
   void set_view(View view);
 
@@ -61,6 +64,8 @@ class BrdfEditor : public QWidget {
  private:
   void add_view(View view, const char* icon_name, const QString& name, const QString& tip, QWidget* contents);
   QWidget* sphere_with_exposure();
+  QWidget* light_choice();
+  void light_sphere();
   QWidget* lobe_with_choices();
   void arrange();
   void show_brdf();
@@ -71,6 +76,8 @@ class BrdfEditor : public QWidget {
   View view_ = View::Sphere;
   BrdfForm* form_ = nullptr;
   LiveSphere* sphere_ = nullptr;
+  QComboBox* light_ = nullptr;
+  std::optional<studies::Environment> environment_;
   LobeView* lobe_ = nullptr;
   BrdfPlots* plots_ = nullptr;
   BrdfLibrary* library_ = nullptr;

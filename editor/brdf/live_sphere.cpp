@@ -51,6 +51,14 @@ void LiveSphere::set_light(const Vec3f& light) {
   request();
 }
 
+void LiveSphere::set_environment(const std::optional<studies::Environment>& environment) {
+  const SphereScene studio;
+  if (!environment && scene_.environment.kind == studio.environment.kind) return;
+  scene_.environment = environment.value_or(studio.environment);
+  scene_.light_strength = environment ? 0 : studio.light_strength;
+  request();
+}
+
 void LiveSphere::request() {
   if (!scene_.brdf) {
     renderer_.stop();

@@ -2,13 +2,14 @@
 
 #include <QImage>
 #include <QWidget>
+#include <optional>
 
 #include "editor/brdf/sphere_renderer.h"
 
 namespace editor {
 
-/// A sphere with a BRDF under a sky and a light that the pointer or the arrow keys move. It is shaded
-/// progressively, and exposed for the screen.
+/// A sphere with a BRDF under a sky and a light that the pointer or the arrow keys move, or in the
+/// environment of a scene, seen along -z. It is shaded progressively, and exposed for the screen.
 class LiveSphere : public QWidget {
   Q_OBJECT
 
@@ -24,6 +25,9 @@ class LiveSphere : public QWidget {
   /// Direction towards the light: x to the right, y up, z to the eye.
   const reflectance::Vec3f& light() const { return scene_.light; }
   void set_light(const reflectance::Vec3f& light);
+
+  /// Sets the environment map that lights the sphere instead of the sky and the light; empty: none.
+  void set_environment(const std::optional<studies::Environment>& environment);
 
   const SphereImage& image() const { return image_; }
   bool is_busy() const { return renderer_.is_busy(); }

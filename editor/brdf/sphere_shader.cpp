@@ -1,14 +1,15 @@
 // Renders the sphere with GLSL: a triangle covers the image, and its fragments intersect the sphere.
 #include <QElapsedTimer>
 #include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLShaderProgram>
+#include <QOpenGLVersionFunctionsFactory>
 #include <QOpenGLVertexArrayObject>
 #include <algorithm>
 #include <map>
 
 #include "editor/brdf/sphere_shading.h"
+#include "editor/view/environment_textures.h"
 #include "renderer/reflectance/shader.h"
 
 namespace editor {
@@ -38,6 +39,12 @@ void main() {
   normal = vec3(place, sqrt(z2));
   tangent = tangent_at(normal);
   bitangent = bitangent_at(normal);
+  if (sky == 3) {
+    float x = floor(gl_FragCoord.x);
+    float y = side - 1 - floor(gl_FragCoord.y);  // rows from the top
+    shift_a = part_above_floor(0.7548776662 * x + 0.5698402910 * y);
+    shift_b = part_above_floor(0.8191725134 * x + 0.6710436067 * y);
+  }
   vec3 u = to_local(vec3(0, 0, 1));
   result.rgb = light_radiance(u, light, vec3(light_strength)) + specular_radiance(u) +
                environment_sum(u, 0, samples) / float(samples);
@@ -47,22 +54,25 @@ void main() {
 }  // namespace
 
 struct SphereShader::Parts {
-  QOpenGLContext& context;
   const GraphicsDriver driver;
+  const int most_side;  ///< of textures
+  Gl* gl;
+  EnvironmentTextures sky;
   std::unique_ptr<QOpenGLVertexArrayObject> no_vertices;
   std::unique_ptr<QOpenGLFramebufferObject> target;
   std::map<std::string, CompiledProgram> programs;
   QString compile_error;
 
-  Parts(QOpenGLContext& own_context, const GraphicsDriver& own_driver)
-      : context(own_context), driver(own_driver) {}
+  Parts(Gl& own_gl, const GraphicsDriver& own_driver)
+      : driver(own_driver), most_side(own_driver.limits().texture_side), gl(&own_gl), sky(own_gl) {}
 
   /// Returns no program if the driver cannot compile the text. Programs are cached, since compiling is slow.
   const CompiledProgram& program_of(const std::string& brdf_text) {
     if (programs.size() > MostPrograms) programs.clear();
     const auto [entry, is_new] = programs.try_emplace(brdf_text);
     if (is_new) {
-      const std::string text = reflectance::lit_surface_shader(brdf_text);
+      const std::string text =
+          reflectance::lit_surface_shader(brdf_text, shader_text({"object_environment.glsl"}).toStdString());
       entry->second = driver.compile(
           {VertexText, QByteArray("#version 330 core\n") + QByteArray::fromStdString(text) + MainText});
     }
@@ -71,7 +81,6 @@ struct SphereShader::Parts {
 
   void draw(QOpenGLShaderProgram& program, const SphereScene& scene, const reflectance::Shader& shader,
             int samples, const StopFlag& stop) {
-    auto* gl = context.extraFunctions();
     target->bind();
     gl->glViewport(0, 0, scene.side, scene.side);
     no_vertices->bind();
@@ -81,6 +90,7 @@ struct SphereShader::Parts {
     program.setUniformValue("light", scene.light.x, scene.light.y, scene.light.z);
     program.setUniformValue("light_strength", scene.light_strength);
     program.setUniformValue("samples", samples);
+    sky.set(program, scene.environment, 0);
     const reflectance::SpecularTable specular = reflectance::specular_table(*scene.brdf);
     program.setUniformValueArray("specular_weights", &specular[0].x, static_cast<int>(specular.size()), 3);
     program.setUniformValueArray("brdf_parameters", &shader.parameters[0].x,
@@ -90,7 +100,6 @@ struct SphereShader::Parts {
   }
 
   void draw_by_bands(int side, const StopFlag& stop) {
-    auto* gl = context.extraFunctions();
     gl->glEnable(GL_SCISSOR_TEST);
     int rows = FewestRows;
     for (int row = 0; row < side && !stop.is_set();) {
@@ -112,7 +121,7 @@ struct SphereShader::Parts {
 
   SphereImage read(int side) {
     std::vector<float> values(static_cast<std::size_t>(side * side) * 4);
-    context.extraFunctions()->glReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, values.data());
+    gl->glReadPixels(0, 0, side, side, GL_RGBA, GL_FLOAT, values.data());
     SphereImage image;
     image.side = side;
     image.is_by_glsl = true;
@@ -132,7 +141,10 @@ SphereShader::~SphereShader() = default;
 const QString& SphereShader::compile_error() const { return parts_->compile_error; }
 
 std::unique_ptr<SphereShader> SphereShader::create(QOpenGLContext& context, const GraphicsDriver& driver) {
-  auto parts = std::make_unique<Parts>(context, driver);
+  auto* gl = QOpenGLVersionFunctionsFactory::get<Gl>(&context);
+  if (gl == nullptr) return nullptr;
+  gl->initializeOpenGLFunctions();
+  auto parts = std::make_unique<Parts>(*gl, driver);
   parts->no_vertices = std::make_unique<QOpenGLVertexArrayObject>();
   if (!parts->no_vertices->create()) return nullptr;
   return std::unique_ptr<SphereShader>(new SphereShader(std::move(parts)));
@@ -141,7 +153,9 @@ std::unique_ptr<SphereShader> SphereShader::create(QOpenGLContext& context, cons
 std::optional<SphereImage> SphereShader::shade(const SphereScene& scene, int samples, const StopFlag& stop) {
   const auto shader = reflectance::shader_of(*scene.brdf);
   parts_->compile_error.clear();
-  if (!shader) return std::nullopt;
+  const auto& map = scene.environment.map;
+  if (!shader || (map && map->image().width > parts_->most_side)) return std::nullopt;
+  parts_->sky.load(scene.environment, parts_->most_side);
   const CompiledProgram& made = parts_->program_of(shader->text);
   if (made.program == nullptr) {
     parts_->compile_error = first_line(made.log);

@@ -52,13 +52,15 @@ SphereImage shade_on_cpu(const SphereScene& scene, int samples, const StopFlag& 
   image.radiance.resize(static_cast<std::size_t>(scene.side) * scene.side, Rgb(0));
   const reflectance::SpecularTable specular = reflectance::specular_table(*scene.brdf);
   const reflectance::DistantLight light = {scene.light, Rgb(scene.light_strength)};
-  const reflectance::Studio studio;
+  const bool is_map = scene.environment.kind == studies::Environment::Kind::Map;
   for_each_row(scene.side, [&](int row) {
-    reflectance::LitSurface surface(*scene.brdf, specular, studio);
+    reflectance::LitSurface surface(*scene.brdf, specular, scene.environment);
     for (int column = 0; column < scene.side && !stop.is_set(); ++column) {
       const Vec3f n = sphere_normal(scene.side, column + 0.5, row + 0.5);
       if (n.z < 0) continue;
-      surface.place(n, 0.5F, 0.5F);
+      // Only a map has details that the same few directions in all pixels would repeat.
+      const studies::PixelShift shift = is_map ? studies::PixelShift(column, row) : studies::PixelShift();
+      surface.place(n, shift.first, shift.second);
       const Vec3f u = surface.in_frame(Vec3f(0, 0, 1));
       image.radiance[static_cast<std::size_t>(row) * scene.side + column] =
           surface.due_to_light(u, light) + surface.specular(u) +

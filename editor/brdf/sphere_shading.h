@@ -8,7 +8,7 @@
 #include "editor/brdf/lobe_curves.h"
 #include "editor/graphics/graphics_driver.h"
 #include "editor/jobs/background_job.h"
-#include "renderer/reflectance/lit_surface.h"
+#include "renderer/studies/brdf_viewer/lit_object.h"
 
 class QOpenGLContext;
 
@@ -20,6 +20,7 @@ struct SphereScene {
   reflectance::Vec3f light = {0.32F, 0.5F,
                               0.8F};  ///< unit vector towards the light, x to the right, y up, z to the eye
   float light_strength = reflectance::Pi;  ///< irradiance: pi shows a white diffuse surface as 1
+  studies::Environment environment = {studies::Environment::Kind::Studio};  ///< surrounds the sphere
 };
 
 /// Linear radiance, rows from the top; 0 outside of the sphere, whose radius is `radius_of(side)` pixels.
@@ -48,8 +49,8 @@ class SphereShader {
   static std::unique_ptr<SphereShader> create(QOpenGLContext& context, const GraphicsDriver& driver = {});
   ~SphereShader();
 
-  /// Returns nothing for BRDFs without a shader, and if the driver cannot compile it. Incomplete if the flag
-  /// was set.
+  /// Returns nothing for BRDFs without a shader, and if the driver cannot compile it or hold the map.
+  /// Incomplete if the flag was set.
   std::optional<SphereImage> shade(const SphereScene& scene, int samples, const StopFlag& stop);
   /// Why the driver rejected the shader of the last BRDF; empty if it did not.
   const QString& compile_error() const;

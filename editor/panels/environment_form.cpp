@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QTimer>
 #include <cmath>
@@ -15,15 +16,17 @@
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
 #include "editor/controls/scaled_slider.h"
+#include "editor/document/document.h"
 #include "editor/document/op_document.h"
 #include "editor/panels/colour_fields.h"
+#include "editor/panels/sky_dialog.h"
 
 namespace editor {
 namespace {
 
 constexpr double MostEnvironmentRadiance = std::numeric_limits<float>::max();
 
-enum EnvironmentRow { MapRow, RotationRow, BrightnessRow, BackgroundRow };
+enum EnvironmentRow { MapRow, SkyRow, RotationRow, BrightnessRow, BackgroundRow };
 
 }  // namespace
 
@@ -36,18 +39,23 @@ QStringList bundled_environments() {
   return paths;
 }
 
-void set_environment(OpDocument& render_options, const QString& path) {
+void set_environment(OpDocument& render_options, const QString& path, std::optional<double> brightness) {
   options::RenderOptions wanted = render_options.valid_options();
   wanted.environment = path.toStdString();
   wanted.projection = options::RenderOptions().projection;
+  if (brightness) {
+    wanted.environment_scale = static_cast<float>(*brightness);
+    wanted.environment_rotation = 0;
+  }
   render_options.set_options(
       path.isEmpty() ? EnvironmentForm::tr("Remove environment") : EnvironmentForm::tr("Set environment"),
       wanted);
 }
 
-EnvironmentForm::EnvironmentForm(OpDocument& render_options, QWidget* parent)
+EnvironmentForm::EnvironmentForm(Document& document, QWidget* parent)
     : QWidget(parent),
-      render_options_(render_options),
+      document_(document),
+      render_options_(document.options()),
       maps_(narrow_list(tr("Environment map"),
                         tr("The image whose radiance surrounds the scene and lights it"), 8, this)),
       background_(new ColourFields(tr("Background"), tr("constant background radiance, W/(sr m²)"),
@@ -56,6 +64,7 @@ EnvironmentForm::EnvironmentForm(OpDocument& render_options, QWidget* parent)
   layout->setColumnStretch(1, 1);
   layout->addWidget(new QLabel(tr("Environment"), this), MapRow, 0);
   layout->addWidget(maps_, MapRow, 1, 1, 2);
+  add_sky();
   add_rotation();
   add_brightness();
   layout->addWidget(new QLabel(tr("Background"), this), BackgroundRow, 0);
@@ -134,6 +143,42 @@ void EnvironmentForm::choose_file() {
       QFileDialog::getOpenFileName(this, tr("Choose an environment map"), current,
                                    tr("Images (*.exr *.hdr *.pfm *.raw *.png *.jpg *.tga);;All files (*)"));
   if (!path.isEmpty()) set_environment(render_options_, path);
+}
+
+void EnvironmentForm::add_sky() {
+  auto* button = new QPushButton(tr("Sky by place and time…"), this);
+  button->setToolTip(tr("Make an environment map of the clear sky and the sun at a place and a time"));
+  button->setAccessibleName(tr("Sky by place and time"));
+  static_cast<QGridLayout*>(layout())->addWidget(button, SkyRow, 1, 1, 2);
+  setTabOrder(maps_, button);  // before the background, which was made earlier
+  connect(button, &QPushButton::clicked, this, &EnvironmentForm::make_sky);
+}
+
+void EnvironmentForm::make_sky() {
+  if (!sky_) {
+    sky_ = new SkyDialog(this);
+    sky_->setAttribute(Qt::WA_DeleteOnClose);
+    connect(sky_, &SkyDialog::file_wanted, this, [this] { sky_->set_file(sky_file()); });
+    connect(sky_, &SkyDialog::made, this, [this](const QString& file, double brightness) {
+      set_environment(render_options_, file, brightness);
+    });
+  }
+  sky_->show();
+  sky_->raise();
+  sky_->activateWindow();
+}
+
+/// Returns a new file beside the scene, since undo goes back to the former one; asks where if the scene has
+/// no file.
+QString EnvironmentForm::sky_file() {
+  const QFileInfo scene(document_.path());
+  if (document_.path().isEmpty()) {
+    return QFileDialog::getSaveFileName(sky_, tr("Save the sky"), "sky.exr", tr("OpenEXR (*.exr)"));
+  }
+  const QString base = scene.absoluteDir().filePath(scene.completeBaseName() + "-sky");
+  QString file = base + ".exr";
+  for (int number = 2; QFileInfo::exists(file); ++number) file = QString("%1-%2.exr").arg(base).arg(number);
+  return file;
 }
 
 void EnvironmentForm::show_options() {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <QPointer>
 #include <QStringList>
 #include <QWidget>
 #include <functional>
+#include <optional>
 
 #include "renderer/options/render_options.h"
 
@@ -11,15 +13,18 @@ class QComboBox;
 namespace editor {
 
 class ColourFields;
+class Document;
 class NumberBox;
 class OpDocument;
 class ScaledSlider;
+class SkyDialog;
 
 /// The environment maps that come with the program, in `share/granada/environments` beside its folder.
 QStringList bundled_environments();
 
-/// Sets the environment map of a scene to an image file, as an undo step; an empty path means none.
-void set_environment(OpDocument& render_options, const QString& path);
+/// Sets the environment map of a scene to an image file, as an undo step; an empty path means none. With a
+/// brightness, it has that one and is not rotated.
+void set_environment(OpDocument& render_options, const QString& path, std::optional<double> brightness = {});
 
 /// Edits the environment of a scene in its render options: a map with rotation and brightness, or a constant
 /// background where there is none.
@@ -27,8 +32,8 @@ class EnvironmentForm : public QWidget {
   Q_OBJECT
 
  public:
-  /// The options outlive the form.
-  explicit EnvironmentForm(OpDocument& render_options, QWidget* parent = nullptr);
+  /// The document, whose render options are edited, outlives the form.
+  explicit EnvironmentForm(Document& document, QWidget* parent = nullptr);
 
  private:
   using Edit = std::function<void(options::RenderOptions&)>;
@@ -37,12 +42,17 @@ class EnvironmentForm : public QWidget {
   void add_brightness();
   void choose(int index);
   void choose_file();
+  void add_sky();
+  void make_sky();
+  QString sky_file();
   void change(const QString& title, const QString& key, const Edit& edit);
   void show_options();
 
+  const Document& document_;
   OpDocument& render_options_;
   const QStringList bundled_ = bundled_environments();
   QComboBox* maps_;
+  QPointer<SkyDialog> sky_;
   NumberBox* rotation_ = nullptr;
   ScaledSlider* rotation_slider_ = nullptr;
   NumberBox* brightness_ = nullptr;

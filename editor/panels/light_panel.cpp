@@ -74,7 +74,7 @@ LightPanel::LightPanel(Document& document, QWidget* parent)
   layout->addWidget(buttons);
   layout->addWidget(pages_);
   layout->addWidget(problem_);
-  layout->addWidget(new EnvironmentForm(document_.options(), this));
+  layout->addWidget(new EnvironmentForm(document_, this));
   connect(list_, &QTreeWidget::itemSelectionChanged, this, &LightPanel::choose_item);
   connect(&document_, &Document::changed, this, [this](const Change& change) {
     if (concerns_lights(change)) show_lights();

@@ -65,6 +65,7 @@ void Preview::start(job::PreviewRequest request) {
   is_on_ = true;
   has_shown_ = false;
   state_ = PreviewState::Preparing;
+  region_ = request.region;
   request_ = render_.start(std::move(request));
   emit state_changed(state_);
 }
@@ -101,6 +102,7 @@ void Preview::take_image() {
   }
   if (!is_on_ || request != request_) return;
   image_ = std::move(image);
+  image_region_ = region_;
   has_shown_ = true;
   if (state_ == PreviewState::Preparing) emit state_changed(state_ = PreviewState::Rendering);
   emit image_changed(image_, progress);

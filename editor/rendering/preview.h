@@ -32,6 +32,8 @@ class Preview : public QObject {
   bool is_paused() const { return is_on_ && state_ == job::PreviewState::Paused; }
   /// The last image; null before the first.
   const std::shared_ptr<const transport::Image>& image() const { return image_; }
+  /// The region that the last image is limited to; empty: none.
+  const std::optional<job::PreviewRegion>& region() const { return image_region_; }
 
  signals:
   /// Emitted with an image, at first smaller than requested, and never faster than the window handles them.
@@ -61,6 +63,8 @@ class Preview : public QObject {
   bool has_shown_ = false;  ///< an image of the current request
   job::PreviewState state_ = job::PreviewState::Done;
   std::shared_ptr<const transport::Image> image_;
+  std::optional<job::PreviewRegion> region_;  ///< of the current request
+  std::optional<job::PreviewRegion> image_region_;
   std::optional<job::PreviewRequest> waiting_;
   QTimer abandon_timer_;
   PendingResults pending_;

@@ -36,6 +36,7 @@ struct PreviewView {
   QSize size;  ///< device pixels
   transport::View camera;
   bool denoises = false;
+  std::optional<job::PreviewRegion> region = {};  ///< renders nothing else
 
   bool operator==(const PreviewView&) const = default;
 };

@@ -149,7 +149,8 @@ void RenderPanel::restart_preview() {
 void RenderPanel::show_in_preview(const grf::Scene& scene) {
   preview_.restart({scene, document_.path().toStdString(), previewed_options_,
                     preview_view_ ? std::optional(preview_view_->camera) : view_,
-                    preview_view_ && preview_view_->denoises});
+                    preview_view_ && preview_view_->denoises,
+                    preview_view_ ? preview_view_->region : std::nullopt});
   update_actions();
 }
 

@@ -29,22 +29,11 @@ constexpr int SamplesPerPass = 16;
 constexpr std::size_t MostLights = 3;
 /// Texture units.
 constexpr GLuint NormalsUnit = 1;
-constexpr GLuint MapUnit = 2;
-constexpr GLuint DirectionsUnit = 3;
 constexpr GLuint RadianceUnit = 4;
-constexpr int DirectionsSide = 64;
-static_assert(DirectionsSide * DirectionsSide == studies::Environment::DrawnDirections);
 
 double seconds(const QElapsedTimer& clock) { return static_cast<double>(clock.nsecsElapsed()) * 1e-9; }
 QVector3D vector(const Vec3f& v) { return {v.x, v.y, v.z}; }
 QVector3D rgb(const QColor& colour) { return {colour.redF(), colour.greenF(), colour.blueF()}; }
-
-/// What precedes the text of lights and of the environment in a program without a BRDF.
-QByteArray environment_text() {
-  return QByteArray::fromStdString(reflectance::shader_functions({})) +
-         QByteArray::fromStdString(std::string(reflectance::shader_file("studio"))) +
-         shader_text({"object_environment.glsl"});
-}
 
 }  // namespace
 
@@ -53,17 +42,11 @@ BrdfDrawing::BrdfDrawing(Gl& gl, const GraphicsDriver& driver)
       driver_(driver),
       limits_(driver.limits()),
       no_vertices_(gl, GlKind::VertexArray),
-      sky_map_(gl, GlKind::Texture),
-      sky_directions_(gl, GlKind::Texture),
+      sky_(gl),
       normal_program_(
-          editor::program_of(driver, "geometry.vert", {"shading_normal.glsl", "object_normals.frag"})) {
-  CompiledProgram made = driver.compile(
-      {GlslVersion + shader_text({"screen.vert"}),
-       GlslVersion + environment_text() + shader_text({"g_buffer.glsl", "object_display.frag"})});
-  if (made.program == nullptr)
-    throw ShaderCompileError("object_display.frag: " + first_line(made.log).toStdString());
-  display_ = std::move(made.program);
-}
+          editor::program_of(driver, "geometry.vert", {"shading_normal.glsl", "object_normals.frag"})),
+      display_(editor::program_of(driver, "screen.vert", {"g_buffer.glsl", "object_display.frag"}, {},
+                                  environment_text())) {}
 
 void BrdfDrawing::show(const BrdfScene& scene) {
   const bool has_other_geometry = scene.object != scene_.object || scene.view.eye != scene_.view.eye ||
@@ -92,31 +75,7 @@ void BrdfDrawing::load(const BrdfScene& scene) {
     }
   }
   scene_ = scene;
-  if (scene_.lighting.environment.map != loaded_map_) load_environment();
-}
-
-void BrdfDrawing::load_environment() {
-  const studies::Environment& sky = scene_.lighting.environment;
-  loaded_map_ = sky.map;
-  const auto upload = [this](const GlObject& texture, int width, int height,
-                             const std::vector<Imath::V4f>& values) {
-    gl_.glActiveTexture(GL_TEXTURE0);
-    gl_.glBindTexture(GL_TEXTURE_2D, texture.name());
-    gl_.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl_.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, values.data());
-    gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  };
-  if (!sky.map || sky.map->image().width > limits_.texture_side) return;
-  const transport::Image& image = sky.map->image();
-  std::vector<Imath::V4f> texels;
-  texels.reserve(image.pixels.size());
-  for (const Rgb& c : image.pixels) texels.emplace_back(c.x, c.y, c.z, sky.map->pdf_of(c));
-  upload(sky_map_, image.width, image.height, texels);
-  if (!sky.drawn) return;
-  std::vector<Imath::V4f> directions;
-  for (const Vec3f& d : *sky.drawn) directions.emplace_back(d.x, d.y, d.z, 0.0F);
-  upload(sky_directions_, DirectionsSide, DirectionsSide, directions);
+  sky_.load(scene_.lighting.environment, limits_.texture_side);
 }
 
 /// Returns the program of a BRDF; null if it has no shader. Programs are cached, since compiling is slow.
@@ -269,20 +228,6 @@ void BrdfDrawing::set_camera(QOpenGLShaderProgram& program) {
   program.setUniformValue("view_forward", to_qt(camera.forward()));
   program.setUniformValue("view_right", to_qt(camera.right() * (tangent * aspect)));
   program.setUniformValue("view_up", to_qt(camera.up() * tangent));
-}
-
-void BrdfDrawing::set_environment(QOpenGLShaderProgram& program) {
-  const studies::Environment& sky = scene_.lighting.environment;
-  program.setUniformValue("sky", static_cast<GLint>(sky.kind));
-  program.setUniformValue("sky_scale", vector(sky.scale));
-  program.setUniformValue("sky_turn", std::cos(sky.turned), std::sin(sky.turned));
-  program.setUniformValue("sky_is_drawn", sky.is_drawn());
-  program.setUniformValue("sky_map", static_cast<GLint>(MapUnit));
-  program.setUniformValue("sky_directions", static_cast<GLint>(DirectionsUnit));
-  gl_.glActiveTexture(GL_TEXTURE0 + MapUnit);
-  gl_.glBindTexture(GL_TEXTURE_2D, sky_map_.name());
-  gl_.glActiveTexture(GL_TEXTURE0 + DirectionsUnit);
-  gl_.glBindTexture(GL_TEXTURE_2D, sky_directions_.name());
 }
 
 void BrdfDrawing::cover() {

@@ -9,6 +9,7 @@
 
 #include "editor/tools/brdf_layers.h"
 #include "editor/tools/brdf_scene.h"
+#include "editor/view/environment_textures.h"
 #include "editor/view/mesh_buffers.h"
 #include "renderer/reflectance/shader.h"
 
@@ -45,6 +46,8 @@ class BrdfDrawing {
   const std::shared_ptr<const NormalImage>& normals() const { return normals_; }
 
  private:
+  static constexpr GLuint MapUnit = 2;  ///< texture unit, as is the next one
+
   /// A program with what the driver says about it.
   struct Program {
     std::unique_ptr<QOpenGLShaderProgram> program;
@@ -58,7 +61,6 @@ class BrdfDrawing {
   };
 
   void load(const BrdfScene& scene);
-  void load_environment();
   Program* program_of(const studies::LitBrdf& brdf);
   static QByteArray fragment_text(const std::string& brdf);
   void draw_draft();
@@ -68,7 +70,9 @@ class BrdfDrawing {
   Pass pass(int number) const;
   void draw_normals(BrdfLayers& layers, const Pass& pass);
   void set_camera(QOpenGLShaderProgram& program);
-  void set_environment(QOpenGLShaderProgram& program);
+  void set_environment(QOpenGLShaderProgram& program) {
+    sky_.set(program, scene_.lighting.environment, MapUnit);
+  }
   /// Adds rows of a pass to the radiance.
   void add(BrdfLayers& layers, const Pass& pass, int first_row, int rows);
   void add_brdf(BrdfLayers& layers, const studies::LitBrdf& brdf, const Pass& pass);
@@ -80,8 +84,8 @@ class BrdfDrawing {
   const GraphicsDriver driver_;
   const GraphicsLimits limits_;
   BrdfScene scene_;
-  GlObject no_vertices_, sky_map_, sky_directions_;
-  std::shared_ptr<const transport::EnvironmentMap> loaded_map_;
+  GlObject no_vertices_;
+  EnvironmentTextures sky_;
   std::unique_ptr<QOpenGLShaderProgram> normal_program_, display_;
   std::map<std::string, Program> programs_;
   std::vector<std::unique_ptr<MeshBuffers>> meshes_;

@@ -12,7 +12,8 @@ namespace {
 
 using reflectance::Rgb;
 
-/// The C++ side of sky.glsl and reflected_light.glsl, in double, the type of unsuffixed literals in C++.
+/// The C++ side of sky.glsl, view_environment.glsl and reflected_light.glsl, in double, the type of
+/// unsuffixed literals in C++.
 struct LightFormula {
   // NOLINTBEGIN(readability-identifier-naming): GLSL's names
   using real = double;
@@ -33,6 +34,27 @@ struct LightFormula {
   // NOLINTEND(readability-identifier-naming)
 
   const reflectance::Brdf* brdf = nullptr;
+  const SceneEnvironment* environment = nullptr;
+  real headlight = static_cast<real>(StudioHeadlight);
+  int light_count = 0;
+  std::vector<vec3> light_directions;
+  std::vector<vec3> light_irradiance;
+
+  void set_environment(const SceneEnvironment* of_scene) {
+    environment = of_scene;
+    if (environment == nullptr) return;
+    headlight = 0;
+    for (const reflectance::DistantLight& light : environment->world_lights()) {
+      light_directions.emplace_back(light.direction);
+      light_irradiance.emplace_back(light.irradiance);
+      ++light_count;
+    }
+  }
+
+  vec3 sampled_sky(const vec3& d) {
+    if (environment == nullptr) return studio_sky(d);
+    return vec3(studies::below_limit(environment->sky(reflectance::Vec3f(d)), environment->limit()));
+  }
 
   vec3 model(const vec3& u, const vec3& v) const {
     return vec3(reflectance::evaluate(*brdf, reflectance::Vec3f(u), reflectance::Vec3f(v)));
@@ -88,6 +110,7 @@ class Shading {
         tables_(tables),
         size_(size.width(), size.height()),
         to_world_(world_frame(light.camera)) {
+    formula_.set_environment(light.environment);
     const double tangent = std::tan(light.camera.field_of_view() * std::numbers::pi / 360);
     tangents_ = {tangent * light.aspect, tangent};
   }

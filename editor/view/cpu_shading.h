@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "editor/view/g_buffer.h"
+#include "editor/view/scene_environment.h"
 #include "editor/view/surface_tables.h"
 #include "editor/view/view_camera.h"
 
@@ -16,7 +17,11 @@ struct CpuShading {
   int first_sample = 0;
   ViewCamera camera;
   double aspect = 1;
+  const SceneEnvironment* environment = nullptr;  ///< has a map; null: the studio
 };
+
+/// The headlight of the studio: the radiance that it adds, over the BRDF's value for u = v.
+constexpr float StudioHeadlight = 1.6F;
 
 /// Adds the light to rows of a G-buffer, whose other values are complete.
 void add_cpu_shading(const CpuShading& light, const FaceTables& faces, const SurfaceTables& surfaces,

@@ -52,11 +52,19 @@ void set_shader_units(QOpenGLShaderProgram& program) {
 }
 
 FrameRenderer::FrameRenderer(Gl& gl, const GraphicsDriver& driver)
-    : gl_(gl), driver_(driver), no_vertices_(gl, GlKind::VertexArray) {
+    : gl_(gl),
+      driver_(driver),
+      most_side_(driver.limits().texture_side),
+      no_vertices_(gl, GlKind::VertexArray),
+      environment_(gl) {
   geometry_ = program_of(driver, "geometry.vert", {"shading_normal.glsl", "geometry.frag"});
   shade_ = program_of(driver, "screen.vert", {"g_buffer.glsl", "shade.frag"});
   texture_ = program_of(driver, "screen.vert", {"g_buffer.glsl", "texture.frag"});
-  resolve_ = program_of(driver, "screen.vert", {"g_buffer.glsl", "sky.glsl", "resolve.frag"});
+  for (const bool has_map : {false, true}) {
+    resolve_[has_map ? 1 : 0] = program_of(
+        driver, "screen.vert", {"g_buffer.glsl", "sky.glsl", "view_environment.glsl", "resolve.frag"}, {},
+        view_environment_preface(has_map));
+  }
   lines_ = program_of(driver, "lines.vert", {"lines.frag"});
   normals_ = program_of(driver, "normals.vert", {"lines.frag"}, "normals.geom");
 }
@@ -72,6 +80,7 @@ std::vector<FrameRenderer::Step> FrameRenderer::steps(SceneBuffers& scene, GBuff
       scene, g_buffer, request,
       moved(request.camera.camera_to_clip(request.aspect, request.bounds), request.shift, g_buffer.size())});
   std::vector<Step> steps;
+  if (has_map(request)) environment_.load(request.environment->sky, most_side_);
   steps.emplace_back([this, job] { clear(*job); });
   for (Runs& runs : runs_of(*job, &MeshBuffers::triangle_count, TrianglesPerStep)) {
     steps.emplace_back([this, job, runs = std::move(runs)] { paint_geometry(*job, runs); });
@@ -299,7 +308,7 @@ void FrameRenderer::paint_normals(const Job& job, bool of_faces) {
 void FrameRenderer::add_brdf_steps(const SharedJob& job, std::vector<Step>& steps) {
   for (const std::size_t model : job->scene.surfaces().models) {
     // A shader is compiled in the first step that needs it, so that other requests wait less.
-    const auto made = brdfs_.find(model);
+    const auto made = brdfs_.find({model, has_map(job->request)});
     const int rows = made != brdfs_.end() && made->second == nullptr ? RowsByCpp : BrdfRows;
     for (int row = 0; row < job->g_buffer.size().height(); row += rows) {
       steps.emplace_back([this, job, model, row, rows] { paint_brdf(*job, model, row, rows); });
@@ -308,16 +317,20 @@ void FrameRenderer::add_brdf_steps(const SharedJob& job, std::vector<Step>& step
   steps.emplace_back([this, job] { resolve(*job); });
 }
 
-QOpenGLShaderProgram* FrameRenderer::brdf_program(std::size_t model) {
-  const auto [entry, is_new] = brdfs_.try_emplace(model);
+QOpenGLShaderProgram* FrameRenderer::brdf_program(const BrdfProgram& key) {
+  const auto [model, has_map] = key;
+  const auto [entry, is_new] = brdfs_.try_emplace(key);
   if (!is_new) return entry->second.get();
   const reflectance::FormulaShader shader = reflectance::formula_shader(
       model, [](std::size_t k) { return "parameter(" + std::to_string(k) + ")"; });
-  const QByteArray text = GlslVersion + shader_text({"g_buffer.glsl"}) +
-                          QByteArray::fromStdString(shader.functions) +
-                          shader_text({"brdf_parameters.glsl"}) + "vec3 model(vec3 u, vec3 v) { return " +
-                          QByteArray::fromStdString(shader.call) + "; }\n" +
-                          shader_text({"sky.glsl", "reflected_light.glsl", "brdf.frag"});
+  QByteArray text = GlslVersion + shader_text({"g_buffer.glsl"}) +
+                    QByteArray::fromStdString(shader.functions) + shader_text({"brdf_parameters.glsl"}) +
+                    "vec3 model(vec3 u, vec3 v) { return " + QByteArray::fromStdString(shader.call) + "; }\n";
+  if (has_map) {
+    text += "#define HAS_MAP\n" + QByteArray::fromStdString(std::string(reflectance::shader_file("studio"))) +
+            shader_text({"object_environment.glsl"});
+  }
+  text += shader_text({"sky.glsl", "view_environment.glsl", "reflected_light.glsl", "brdf.frag"});
   CompiledProgram made = driver_.compile({GlslVersion + shader_text({"screen.vert"}), text});
   if (made.program == nullptr) failed_shaders_.emplace(shader.keyword, first_line(made.log));
   entry->second = std::move(made.program);
@@ -336,9 +349,34 @@ void FrameRenderer::set_eye(QOpenGLShaderProgram& program, const Job& job) {
       "half_size", QVector2D(static_cast<float>(tangent * job.request.aspect), static_cast<float>(tangent)));
 }
 
+bool FrameRenderer::has_map(const FrameRequest& request) const {
+  return request.style.mode == DisplayMode::Brdf && request.environment && request.environment->is_map() &&
+         request.environment->sky.map->image().width <= most_side_;
+}
+
+void FrameRenderer::set_environment(QOpenGLShaderProgram& program, const FrameRequest& request) {
+  const bool is_map = has_map(request);
+  const SceneEnvironment none;
+  const SceneEnvironment& environment = is_map ? *request.environment : none;
+  if (is_map) environment_.set(program, environment.sky, EnvironmentUnit);
+  const std::vector<reflectance::DistantLight> lights = environment.world_lights();
+  std::array<QVector3D, studies::MostMapLights> directions;
+  std::array<QVector3D, studies::MostMapLights> irradiance;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    directions[i] = to_qt(grf::Vec3d(lights[i].direction));
+    irradiance[i] = to_qt(grf::Vec3d(lights[i].irradiance));
+  }
+  program.setUniformValueArray("light_directions", directions.data(), studies::MostMapLights);
+  program.setUniformValueArray("light_irradiance", irradiance.data(), studies::MostMapLights);
+  program.setUniformValue("light_count", static_cast<GLint>(lights.size()));
+  program.setUniformValue("sky_limit", environment.limit());
+  program.setUniformValue("headlight", is_map ? 0.0F : StudioHeadlight);
+}
+
 void FrameRenderer::paint_brdf(const Job& job, std::size_t model, int first_row, int rows) {
-  if (brdf_program(model) == nullptr) return paint_brdf_by_cpp(job, model, first_row, rows);
-  QOpenGLShaderProgram& program = *brdf_program(model);
+  QOpenGLShaderProgram* const made = brdf_program({model, has_map(job.request)});
+  if (made == nullptr) return paint_brdf_by_cpp(job, model, first_row, rows);
+  QOpenGLShaderProgram& program = *made;
   job.g_buffer.begin(GBuffer::Target::Light);
   gl_.glEnable(GL_SCISSOR_TEST);
   gl_.glScissor(0, first_row, job.g_buffer.size().width(), rows);
@@ -349,15 +387,17 @@ void FrameRenderer::paint_brdf(const Job& job, std::size_t model, int first_row,
   program.setUniformValue("sky_samples", sky_samples(job.request));
   program.setUniformValue("pass", job.request.pass);
   set_eye(program, job);
+  set_environment(program, job.request);
   cover(program, job);
   gl_.glDisable(GL_BLEND);
   gl_.glDisable(GL_SCISSOR_TEST);
 }
 
-void FrameRenderer::paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row, int rows) {
+void FrameRenderer::paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row, int rows) const {
   const FrameRequest& request = job.request;
   const int samples = sky_samples(request);
-  const CpuShading light{model, samples, request.pass * samples, request.camera, request.aspect};
+  const SceneEnvironment* environment = has_map(request) ? request.environment.get() : nullptr;
+  const CpuShading light{model, samples, request.pass * samples, request.camera, request.aspect, environment};
   const int rows_left = job.g_buffer.size().height() - first_row;
   add_cpu_shading(light, job.scene.faces(), job.scene.surfaces(), job.g_buffer, first_row,
                   std::min(rows, rows_left));
@@ -366,10 +406,12 @@ void FrameRenderer::paint_brdf_by_cpp(const Job& job, std::size_t model, int fir
 void FrameRenderer::resolve(const Job& job) {
   job.g_buffer.begin(GBuffer::Target::Colour);
   gl_.glDisable(GL_BLEND);
-  resolve_->bind();
-  resolve_->setUniformValue("mirror_values", SurfaceTables::SpecularValues);
-  set_eye(*resolve_, job);
-  cover(*resolve_, job);
+  QOpenGLShaderProgram& program = *resolve_[has_map(job.request) ? 1 : 0];
+  program.bind();
+  program.setUniformValue("mirror_values", SurfaceTables::SpecularValues);
+  set_eye(program, job);
+  set_environment(program, job.request);
+  cover(program, job);
 }
 
 }  // namespace editor

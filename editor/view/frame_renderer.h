@@ -1,13 +1,17 @@
 #pragma once
 
 #include <QColor>
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
+#include "editor/view/environment_textures.h"
 #include "editor/view/g_buffer.h"
 #include "editor/view/scene_buffers.h"
+#include "editor/view/scene_environment.h"
 #include "editor/view/view_camera.h"
 
 namespace editor {
@@ -44,6 +48,8 @@ struct FrameRequest {
   grf::Box3d bounds;  ///< of everything drawn
   ViewStyle style;
   double aspect = 1;
+  /// Lights BRDFs, if it is a map, and is seen in mirrors and behind them; null: a studio does.
+  std::shared_ptr<const SceneEnvironment> environment;
   bool is_draft = false;             ///< with proxy meshes and fewer light samples
   int pass = 0;                      ///< seed of the random numbers
   grf::Vec2d shift = grf::Vec2d(0);  ///< subpixel shift, pixels
@@ -59,6 +65,12 @@ class FrameRenderer {
 
   /// The steps of a render, in order. Scene and G-buffer must outlive them.
   std::vector<Step> steps(SceneBuffers& scene, GBuffer& g_buffer, const FrameRequest& request);
+
+  /// Whether an image shows an environment map.
+  bool has_map(const FrameRequest& request) const;
+  /// Sets the uniforms of view_environment.glsl for an image that was begun, in the bound program, which has
+  /// a map if the image has.
+  void set_environment(QOpenGLShaderProgram& program, const FrameRequest& request);
 
   /// BRDF models, by keyword, whose shader the driver cannot compile, and why. Their light is computed on the
   /// CPU.
@@ -81,6 +93,8 @@ class FrameRenderer {
     MeshBuffers* mesh(std::size_t instance) const;
   };
   using SharedJob = std::shared_ptr<const Job>;
+  /// The number of a model, and whether there is an environment map.
+  using BrdfProgram = std::pair<std::size_t, bool>;
 
   static std::vector<Runs> runs_of(const Job& job, std::size_t (MeshBuffers::*count)() const,
                                    std::size_t size);
@@ -91,7 +105,7 @@ class FrameRenderer {
   void add_brdf_steps(const SharedJob& job, std::vector<Step>& steps);
   void add_line_steps(const SharedJob& job, std::vector<Step>& steps);
   void paint_brdf(const Job& job, std::size_t model, int first_row, int rows);
-  static void paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row, int rows);
+  void paint_brdf_by_cpp(const Job& job, std::size_t model, int first_row, int rows) const;
   void resolve(const Job& job);
   void paint_edges(const Job& job, const Runs& runs, bool are_triangles);
   void paint_points(const Job& job);
@@ -99,13 +113,16 @@ class FrameRenderer {
   void cover(QOpenGLShaderProgram& program, const Job& job);
   void set_eye(QOpenGLShaderProgram& program, const Job& job);
   /// Null if the driver cannot compile it.
-  QOpenGLShaderProgram* brdf_program(std::size_t model);
+  QOpenGLShaderProgram* brdf_program(const BrdfProgram& key);
 
   Gl& gl_;
   const GraphicsDriver driver_;
+  const int most_side_;  // of textures
   GlObject no_vertices_;
-  std::unique_ptr<QOpenGLShaderProgram> geometry_, shade_, texture_, resolve_, lines_, normals_;
-  std::map<std::size_t, std::unique_ptr<QOpenGLShaderProgram>> brdfs_;
+  EnvironmentTextures environment_;
+  std::unique_ptr<QOpenGLShaderProgram> geometry_, shade_, texture_, lines_, normals_;
+  std::array<std::unique_ptr<QOpenGLShaderProgram>, 2> resolve_;  // without and with a map
+  std::map<BrdfProgram, std::unique_ptr<QOpenGLShaderProgram>> brdfs_;
   std::map<std::string, QString> failed_shaders_;
 };
 
@@ -116,5 +133,8 @@ constexpr GLuint GBufferUnit = 0;
 constexpr GLuint TablesUnit = 7;
 constexpr GLuint ImageUnit = 11;
 constexpr GLuint RenderedUnit = 12;
+/// Those of an environment map and its directions, and of a backplate.
+constexpr GLuint EnvironmentUnit = 13;
+constexpr GLuint PlateUnit = 15;
 
 }  // namespace editor

@@ -61,9 +61,10 @@ QByteArray shader_text(const QStringList& names) {
 }
 
 std::unique_ptr<QOpenGLShaderProgram> program_of(const GraphicsDriver& driver, const QString& vertex,
-                                                 const QStringList& fragments, const QString& geometry) {
+                                                 const QStringList& fragments, const QString& geometry,
+                                                 const QByteArray& preface) {
   CompiledProgram made =
-      driver.compile({GlslVersion + shader_text({vertex}), GlslVersion + shader_text(fragments),
+      driver.compile({GlslVersion + shader_text({vertex}), GlslVersion + preface + shader_text(fragments),
                       geometry.isEmpty() ? QByteArray() : GlslVersion + shader_text({geometry})});
   if (made.program == nullptr) {
     throw ShaderCompileError((fragments.join(' ') + ": " + first_line(made.log)).toStdString());

@@ -77,10 +77,11 @@ class ShaderCompileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Compiles a shader program from files under :/view/: those of the fragment shader are concatenated, and the
-/// geometry shader is optional. Throws ShaderCompileError.
+/// Compiles a shader program from files under :/view/: those of the fragment shader are concatenated after
+/// `preface`, and the geometry shader is optional. Throws ShaderCompileError.
 std::unique_ptr<QOpenGLShaderProgram> program_of(const GraphicsDriver& driver, const QString& vertex,
-                                                 const QStringList& fragments, const QString& geometry = {});
+                                                 const QStringList& fragments, const QString& geometry = {},
+                                                 const QByteArray& preface = {});
 /// The concatenated files under :/view/.
 QByteArray shader_text(const QStringList& names);
 inline const QByteArray GlslVersion = "#version 330 core\n";

@@ -149,6 +149,12 @@ void SceneView::set_rendered(std::shared_ptr<const QImage> image) {
   draw();
 }
 
+void SceneView::set_environment(std::shared_ptr<const SceneEnvironment> environment) {
+  if (environment == environment_) return;
+  environment_ = std::move(environment);
+  draw();
+}
+
 void SceneView::set_note(const QString& note) {
   if (note == note_) return;
   note_ = note;
@@ -191,6 +197,7 @@ FrameRequest SceneView::request() const {
   request.style.normals = series_colour(theme, 1);
   request.style.pixel_ratio = static_cast<float>(devicePixelRatioF());
   request.aspect = aspect();
+  request.environment = environment_;
   return request;
 }
 
@@ -237,6 +244,7 @@ ViewState SceneView::state() const {
   state.request = request();
   state.size = picture_size();
   state.rendered = rendered_;
+  state.backplate_aspect = render_aspect_;
   state.screen = {window_size(), devicePixelRatioF()};
   state.colours = view_colours(palette());
   if (has_grid_) add_grid(ground_grid(objects_->bounds), camera(), height(), palette(), state.overlay);

@@ -92,6 +92,9 @@ class SceneView : public QWidget {
   /// the selection, lines and handles; null ends that.
   void set_rendered(std::shared_ptr<const QImage> image);
   const std::shared_ptr<const QImage>& rendered() const { return rendered_; }
+  /// Sets the environment that is seen behind the scene, and lights it, in the display mode BRDF; null: none.
+  void set_environment(std::shared_ptr<const SceneEnvironment> environment);
+  const std::shared_ptr<const SceneEnvironment>& environment() const { return environment_; }
   /// Shows a text in the upper right corner; an empty one ends that.
   void set_note(const QString& note);
   const QString& note() const { return note_; }
@@ -211,6 +214,7 @@ class SceneView : public QWidget {
   GizmoLines gizmo_;
   ToolPainter tool_painter_;
   std::shared_ptr<const QImage> rendered_;
+  std::shared_ptr<const SceneEnvironment> environment_;
   QString note_;
   RegionGesture region_;
   ViewStyle style_;  // without colours

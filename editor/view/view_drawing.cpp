@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace editor {
@@ -19,7 +20,9 @@ constexpr int LargestScale = 4;
 constexpr float AccentFill = 0.45F;
 
 bool is_same(const FrameRequest& a, const FrameRequest& b) {
-  return a.camera == b.camera && a.bounds == b.bounds && a.style == b.style && a.aspect == b.aspect;
+  const bool shows_environment = a.style.mode == DisplayMode::Brdf;
+  return a.camera == b.camera && a.bounds == b.bounds && a.style == b.style && a.aspect == b.aspect &&
+         (!shows_environment || a.environment == b.environment);
 }
 
 double seconds(const QElapsedTimer& clock) { return static_cast<double>(clock.nsecsElapsed()) * 1e-9; }
@@ -46,8 +49,13 @@ ViewDrawing::ViewDrawing(Gl& gl, const GraphicsDriver& driver)
       renderer_(gl, driver),
       overlay_(gl, driver),
       no_vertices_(gl, GlKind::VertexArray),
-      accumulate_(program_of(driver, "screen.vert", {"g_buffer.glsl", "accumulate.frag"})),
-      compose_(program_of(driver, "screen.vert", {"g_buffer.glsl", "compose.frag"})) {}
+      accumulate_(program_of(driver, "screen.vert", {"g_buffer.glsl", "accumulate.frag"})) {
+  for (const bool has_map : {false, true}) {
+    compose_[has_map ? 1 : 0] = program_of(
+        driver, "screen.vert", {"g_buffer.glsl", "sky.glsl", "view_environment.glsl", "compose.frag"}, {},
+        view_environment_preface(has_map));
+  }
+}
 
 void ViewDrawing::show(ViewState state) {
   state = with_sides_up_to(std::move(state), limits_.texture_side);
@@ -65,6 +73,7 @@ void ViewDrawing::show(ViewState state) {
   const bool has_other_image = state.rendered != state_.rendered;
   state_ = std::move(state);
   if (has_other_image) load_rendered();
+  load_plate();
   if (passes_ == 0 && !has_quick_) prepare();
 }
 
@@ -253,6 +262,46 @@ void ViewDrawing::load_rendered() {
   gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+/// Loads the backplate in the display mode that shows it, at a resolution within the driver's limits.
+void ViewDrawing::load_plate() {
+  const auto& environment = state_.request.environment;
+  const bool is_shown = environment && state_.request.style.mode == DisplayMode::Brdf;
+  const auto plate = is_shown ? environment->backplate : nullptr;
+  if (plate == loaded_plate_) return;
+  loaded_plate_ = plate;
+  plate_.reset();
+  if (plate == nullptr || std::max(plate->width, plate->height) > limits_.texture_side) return;
+  plate_ = std::make_unique<GlObject>(gl_, GlKind::Texture);
+  gl_.glActiveTexture(GL_TEXTURE0 + PlateUnit);
+  gl_.glBindTexture(GL_TEXTURE_2D, plate_->name());
+  gl_.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl_.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB32F, plate->width, plate->height, 0, GL_RGB, GL_FLOAT,
+                   plate->pixels.data());
+  gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+/// Sets what is behind the scene. An orthographic camera sees as much of the environment as the same one in
+/// perspective, since all its rays would see one point.
+void ViewDrawing::set_background(QOpenGLShaderProgram& program) {
+  const FrameRequest& request = state_.request;
+  const double tangent = std::tan(request.camera.field_of_view() * std::numbers::pi / 360);
+  program.setUniformValue("view_forward", to_qt(request.camera.forward()));
+  program.setUniformValue("view_right", to_qt(request.camera.right() * (tangent * request.aspect)));
+  program.setUniformValue("view_up", to_qt(request.camera.up() * tangent));
+  renderer_.set_environment(program, request);
+  program.setUniformValue("plate", static_cast<GLint>(PlateUnit));
+  program.setUniformValue("plate_width",
+                          plate_ ? static_cast<float>(state_.backplate_aspect / request.aspect) : 0.0F);
+  program.setUniformValue("plate_scale", plate_ ? request.environment->backplate_scale : 1.0F);
+  program.setUniformValue("background_top", rgb(state_.colours.background_top));
+  program.setUniformValue("background_bottom", rgb(state_.colours.background_bottom));
+  gl_.glActiveTexture(GL_TEXTURE0 + PlateUnit);
+  gl_.glBindTexture(GL_TEXTURE_2D, plate_ ? plate_->name() : 0);
+}
+
 /// Composes the current image for the screen.
 void ViewDrawing::compose() {
   const GBuffer& buffer = is_full() ? *full_ : *draft_;
@@ -266,21 +315,21 @@ void ViewDrawing::compose() {
   gl_.glDepthMask(GL_TRUE);
   buffer.bind_textures(GBufferUnit);
   scene_.bind_tables(TablesUnit);
-  compose_->bind();
-  set_shader_units(*compose_);
-  compose_->setUniformValue("sum", static_cast<GLint>(ImageUnit));
-  compose_->setUniformValue("has_selection", scene_.has_selection());
-  compose_->setUniformValue("has_borders", is_full());  // expensive
-  compose_->setUniformValue("sum_weight", is_full() ? 1 / static_cast<float>(passes_) : 0.0F);
-  compose_->setUniformValue(
-      "to_picture", QPointF(size.width() / state_.size.width(), size.height() / state_.size.height()));
-  compose_->setUniformValue("background_top", rgb(state_.colours.background_top));
-  compose_->setUniformValue("background_bottom", rgb(state_.colours.background_bottom));
-  compose_->setUniformValue("size", QPointF(state_.size.width(), state_.size.height()));
-  compose_->setUniformValue("rendered", static_cast<GLint>(RenderedUnit));
-  compose_->setUniformValue("has_rendered", rendered_ != nullptr);
-  compose_->setUniformValue("accent", rgb(state_.colours.accent));
-  compose_->setUniformValue("fill", AccentFill);
+  QOpenGLShaderProgram& program = *compose_[renderer_.has_map(state_.request) ? 1 : 0];
+  program.bind();
+  set_shader_units(program);
+  program.setUniformValue("sum", static_cast<GLint>(ImageUnit));
+  program.setUniformValue("has_selection", scene_.has_selection());
+  program.setUniformValue("has_borders", is_full());  // expensive
+  program.setUniformValue("sum_weight", is_full() ? 1 / static_cast<float>(passes_) : 0.0F);
+  program.setUniformValue("to_picture",
+                          QPointF(size.width() / state_.size.width(), size.height() / state_.size.height()));
+  set_background(program);
+  program.setUniformValue("size", QPointF(state_.size.width(), state_.size.height()));
+  program.setUniformValue("rendered", static_cast<GLint>(RenderedUnit));
+  program.setUniformValue("has_rendered", rendered_ != nullptr);
+  program.setUniformValue("accent", rgb(state_.colours.accent));
+  program.setUniformValue("fill", AccentFill);
   if (is_full()) {
     gl_.glActiveTexture(GL_TEXTURE0 + ImageUnit);
     gl_.glBindTexture(GL_TEXTURE_2D, sum_->name());

@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QOpenGLFramebufferObject>
 #include <QStringList>
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -64,6 +65,8 @@ class ViewDrawing {
   void accumulate();
   void compose();
   void load_rendered();
+  void load_plate();
+  void set_background(QOpenGLShaderProgram& program);
 
   Gl& gl_;
   const GraphicsLimits limits_;
@@ -72,11 +75,14 @@ class ViewDrawing {
   FrameRenderer renderer_;
   OverlayPainter overlay_;
   GlObject no_vertices_;
-  std::unique_ptr<QOpenGLShaderProgram> accumulate_, compose_;
+  std::unique_ptr<QOpenGLShaderProgram> accumulate_;
+  std::array<std::unique_ptr<QOpenGLShaderProgram>, 2> compose_;  // without and with a map
   std::unique_ptr<GBuffer> full_, more_, draft_;
   std::unique_ptr<GlObject> sum_, sum_target_;
   std::unique_ptr<QOpenGLFramebufferObject> screen_;
   std::unique_ptr<GlObject> rendered_;  // null: none
+  std::unique_ptr<GlObject> plate_;     // likewise
+  std::shared_ptr<const transport::Image> loaded_plate_;
   std::vector<FrameRenderer::Step> steps_;
   std::size_t next_step_ = 0;
   int passes_ = 0;

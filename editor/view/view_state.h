@@ -33,6 +33,8 @@ struct ViewState {
   QSize size;  ///< device pixels
   /// Drawn in place of the faces and the background where it is opaque, stretched to the view; null: none.
   std::shared_ptr<const QImage> rendered;
+  double backplate_aspect =
+      1;  ///< width over height of the image that a backplate fills, as high as the view
   OverlayPainter::Screen screen;
   ViewColours colours;
   std::vector<OverlayLayer> overlay;

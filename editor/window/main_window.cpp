@@ -30,6 +30,7 @@
 #include "editor/panels/surface_panel.h"
 #include "editor/panels/uv_panel.h"
 #include "editor/rendering/render_panel.h"
+#include "editor/view/environment_store.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/bake_controller.h"
 #include "editor/window/brdf_controller.h"
@@ -59,6 +60,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
       docks_(*this),
       files_(new FileActions(document_, jobs_, *this)),
       view_(new SceneView),
+      environment_(new EnvironmentStore),
       notice_(new NoticeBar),
       pages_(new Pages),
       status_(new StatusLine(document_, jobs_, *statusBar())),
@@ -84,6 +86,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   images_ = new ImageController(*render_, *pages_, *image_menu_, this);
   connect_files();
   connect_panels();
+  connect_environment();
   connect_actions();
   connect_renders();
   docks_.keep_as_default();
@@ -267,6 +270,21 @@ void MainWindow::connect_panels() {
   });
   connect(bake_, &BakeController::status_message, this, &MainWindow::show_status);
   connect(bake_, &BakeController::failed, this, &MainWindow::fail);
+}
+
+/// The view and the sphere of the BRDF dock show the environment of the render options.
+void MainWindow::connect_environment() {
+  environment_->setParent(this);
+  connect(&document_.options(), &OpDocument::changed, environment_,
+          [this] { environment_->set_options(document_.options().valid_options()); });
+  connect(environment_, &EnvironmentStore::failed, this, &MainWindow::show_status);
+  connect(environment_, &EnvironmentStore::changed, this, [this] {
+    const auto& environment = environment_->environment();
+    view_->set_environment(environment);
+    const bool is_map = environment && environment->is_map();
+    brdf_editor_->set_environment(is_map ? std::optional(environment->sky) : std::nullopt);
+  });
+  environment_->set_options(document_.options().valid_options());
 }
 
 void MainWindow::connect_actions() {

@@ -20,6 +20,7 @@ class BakeController;
 class BrdfEditor;
 class CameraPanel;
 class BrdfController;
+class EnvironmentStore;
 class FileActions;
 class ImageBrowser;
 class ImageController;
@@ -67,6 +68,7 @@ class MainWindow : public QMainWindow {
   JobList& jobs() { return jobs_; }
   FileActions& files() { return *files_; }
   SceneView& view() { return *view_; }
+  EnvironmentStore& environment() { return *environment_; }
   BrdfEditor& brdf_editor() { return *brdf_editor_; }
   SurfacePanel& surface_panel() { return *surface_; }
   UvPanel& uv_panel() { return *uv_; }
@@ -95,6 +97,7 @@ class MainWindow : public QMainWindow {
   void make_bottom_docks();
   void connect_files();
   void connect_panels();
+  void connect_environment();
   void connect_actions();
   void connect_renders();
   void light_first_preview();
@@ -126,6 +129,7 @@ class MainWindow : public QMainWindow {
   Docks docks_;
   FileActions* files_;
   SceneView* view_;
+  EnvironmentStore* environment_;
   NoticeBar* notice_;
   Pages* pages_;
   StatusLine* status_;

@@ -24,15 +24,14 @@ constexpr double LeastRegionSide = 0.01;
 
 /// Converts an image for the screen, transparent outside the region.
 std::shared_ptr<const QImage> screen_image(const transport::Image& image,
-                                           const std::optional<QRectF>& region) {
+                                           const std::optional<job::PreviewRegion>& region) {
   const QImage whole = fitted(image, {image.width, image.height});
   if (!region) return std::make_shared<const QImage>(whole);
   auto limited = std::make_shared<QImage>(whole.size(), QImage::Format_ARGB32_Premultiplied);
   limited->fill(Qt::transparent);
-  const QRectF inside(region->x() * image.width, region->y() * image.height, region->width() * image.width,
-                      region->height() * image.height);
+  const transport::CropWindow inside = job::pixels_of(*region, image.width, image.height);
   QPainter painter(limited.get());
-  painter.setClipRect(inside.toAlignedRect());
+  painter.setClipRect(inside.x, inside.y, inside.width, inside.height);
   painter.drawImage(0, 0, whole);
   return limited;
 }
@@ -57,13 +56,13 @@ RenderedMode::~RenderedMode() {
 }
 
 void RenderedMode::make_actions(QWidget& window) {
-  limit_ =
-      new_switch(window,
-                 {tr("Preview re&gion"),
-                  {},
-                  QKeySequence("Ctrl+Alt+W"),
-                  tr("Show the mode Rendered only in a rectangle that is dragged; Return takes the middle")},
-                 false, [this](bool is_wanted) { choose_region(is_wanted); });
+  limit_ = new_switch(
+      window,
+      {tr("Preview re&gion"),
+       {},
+       QKeySequence("Ctrl+Alt+W"),
+       tr("Render the mode Rendered only in a rectangle that is dragged; Return takes the middle")},
+      false, [this](bool is_wanted) { choose_region(is_wanted); });
   denoise_ = new_switch(window,
                         {tr("&Denoise the view"),
                          {},
@@ -81,7 +80,7 @@ void RenderedMode::follow_view() {
     const double ratio = view_.devicePixelRatioF();
     const QSize size(qRound(view_.width() * ratio), qRound(view_.height() * ratio));
     panel_.set_preview_view(
-        PreviewView{size.expandedTo({1, 1}), view_.camera().view(), denoise_->isChecked()});
+        PreviewView{size.expandedTo({1, 1}), view_.camera().view(), denoise_->isChecked(), preview_region()});
   } else {
     panel_.set_preview_view({});
     latest_.reset();
@@ -99,12 +98,19 @@ void RenderedMode::take(const SharedImage& image, const transport::RenderProgres
   show_note();
 }
 
+std::optional<job::PreviewRegion> RenderedMode::preview_region() const {
+  if (!region_) return std::nullopt;
+  return job::PreviewRegion{region_->left(), region_->top(), region_->right(), region_->bottom()};
+}
+
 /// Converts one image at a time: those that arrive meanwhile are skipped, except the last one.
 void RenderedMode::convert() {
   waiting_ = latest_;
   if (conversion_.isRunning() || !waiting_) return;
+  // Until there is an image of a smaller region, the last one is limited; one of a larger region comes soon.
+  const auto region = region_ ? preview_region() : panel_.preview().region();
   conversion_.setFuture(QtConcurrent::run(
-      [image = std::exchange(waiting_, nullptr), region = region_] { return screen_image(*image, region); }));
+      [image = std::exchange(waiting_, nullptr), region] { return screen_image(*image, region); }));
 }
 
 void RenderedMode::show_converted() {
@@ -150,6 +156,7 @@ void RenderedMode::end_choice(const std::optional<QRectF>& region) {
   }
   limit_->setChecked(region.has_value());
   convert();
+  follow_view();
   show_note();
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "renderer/job/preview_stages.h"
 #include "renderer/transport/image/image.h"
 #include "renderer/transport/render.h"
 
@@ -22,7 +23,7 @@ class RenderPanel;
 class SceneView;
 
 /// The display mode Rendered of a 3D view: shows the preview of the Render dock in the view, at its size and
-/// from its camera, while the mode is on. A rectangle may limit where it is shown.
+/// from its camera, while the mode is on. A rectangle may limit what is rendered and shown.
 class RenderedMode : public QObject {
   Q_OBJECT
 
@@ -48,6 +49,7 @@ class RenderedMode : public QObject {
   void follow_view();
   void take(const SharedImage& image, const transport::RenderProgress& progress);
   void convert();
+  std::optional<job::PreviewRegion> preview_region() const;
   void show_converted();
   void show_note();
   void choose_region(bool is_wanted);

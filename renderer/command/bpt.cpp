@@ -21,6 +21,7 @@
 #include "renderer/command/noise_command.h"
 #include "renderer/command/plan_command.h"
 #include "renderer/command/render_command.h"
+#include "renderer/command/sky_command.h"
 #include "renderer/options/render_options.h"
 #include "renderer/transport/image/image_encoders.h"
 
@@ -240,6 +241,36 @@ bool write_out(const transport::ImageFile& file) {
          std::fflush(stdout) == 0;
 }
 
+void add_sky(CLI::App& app, command::SkyArguments& arguments) {
+  CLI::App* sky = app.add_subcommand(
+      "sky",
+      "Make an environment map of the clear sky and the sun at a place and a time (Preetham et al. 1999)");
+  sky->add_option("--latitude", arguments.latitude, "degrees, north is positive")
+      ->type_name("DEG")
+      ->required();
+  sky->add_option("--longitude", arguments.longitude, "degrees, east is positive")
+      ->type_name("DEG")
+      ->required();
+  sky->add_option("--date", arguments.date, "the day, from 1950 to 2050")
+      ->type_name("YYYY-MM-DD")
+      ->required();
+  sky->add_option("--time", arguments.time, "the local time")->type_name("HH:MM")->required();
+  sky->add_option("--utc-offset", arguments.utc_offset,
+                  "of the local time, in hours, positive in the east (0)")
+      ->type_name("H");
+  sky->add_option("--turbidity", arguments.turbidity, "of the air, from clear, 2, to hazy, 6 (3)")
+      ->type_name("T");
+  sky->add_option("--north", arguments.north,
+                  "direction of north: degrees from -z, counter-clockwise seen from above (0)")
+      ->type_name("DEG");
+  sky->add_option("--width", arguments.width, "of the map in texels, twice its height (1024)")
+      ->type_name("N");
+  sky->add_option("-o,--output", arguments.output, "output image; its luminance is in kcd/m2")
+      ->type_name("FILE.exr")
+      ->required();
+  sky->add_flag("--json", arguments.json, "print one JSON object");
+}
+
 /// Decodes an image for programs that leave untrusted images to a separate process. Errors do not name the
 /// file.
 ExitCode decode(const DecodeArguments& arguments) {
@@ -333,6 +364,8 @@ ExitCode run(int argc, char** argv) {
   add_decode(app, decode_arguments);
   command::CostArguments cost_arguments;
   add_cost(app, cost_arguments);
+  command::SkyArguments sky_arguments;
+  add_sky(app, sky_arguments);
   app.set_version_flag("--version", "bpt " GRANADA_VERSION);
   try {
     app.parse(with_command(argc, argv, app));
@@ -344,6 +377,7 @@ ExitCode run(int argc, char** argv) {
   if (app.got_subcommand("decode")) return decode(decode_arguments);
   if (app.got_subcommand("cost")) return command::cost(cost_arguments);
   if (app.got_subcommand("noise")) return command::noise(noise_arguments);
+  if (app.got_subcommand("sky")) return command::sky(sky_arguments);
   if (app.got_subcommand("plan")) return command::plan(plan_arguments);
   if (app.got_subcommand("bake")) return command::bake(bake_arguments);
   return command::render(arguments);

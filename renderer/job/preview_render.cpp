@@ -119,7 +119,7 @@ void PreviewRender::show(int number, const PreviewRequest& request) {
   listener_.diagnostics(number, diagnostics);
   if (!settings) return listener_.state(number, PreviewState::Failed);
   listener_.state(number, PreviewState::Rendering);
-  const std::vector<RenderSettings> stages = preview_stages(*settings);
+  const std::vector<RenderSettings> stages = preview_stages(*settings, request.region);
   last_stage_image_ = std::make_shared<const Image>();
   denoises_ = request.denoises;
   for (std::size_t i = 0; i < stages.size(); ++i) {
@@ -142,7 +142,7 @@ bool PreviewRender::run_stage(int number, const RenderSettings& settings, bool i
     if (stop_reason == StopReason::Replaced) return false;
     send_image(number, render, is_last);
     if (stop_reason == StopReason::Finished) {
-      last_stage_image_ = std::make_shared<const Image>(render.film().mean());
+      last_stage_image_ = std::make_shared<const Image>(in_whole_image(render.film().mean(), settings));
       return true;
     }
     paused.save(render);
@@ -198,7 +198,7 @@ Image PreviewRender::denoised_image(int number, const Render& render, const Imag
   const RenderSettings& settings = render.settings();
   if (!guides_) {
     guides_ = transport::feature_layers(scene_.compiled(), settings.view, settings.width, settings.height,
-                                        GuideSamples, settings.seed, settings.threads);
+                                        GuideSamples, settings.seed, settings.threads, settings.crop);
   }
   bool has_variance = true;
   for (int tile = 0; tile < render.film().tile_count(); ++tile) {
@@ -213,7 +213,7 @@ Image PreviewRender::denoised_image(int number, const Render& render, const Imag
 void PreviewRender::send_image(int number, const Render& render, bool is_last) {
   Image shown = completed(render, *last_stage_image_);
   if (denoises_) shown = denoised_image(number, render, shown);
-  const auto image = std::make_shared<const Image>(std::move(shown));
+  const auto image = std::make_shared<const Image>(in_whole_image(std::move(shown), render.settings()));
   transport::RenderProgress progress = render.progress();
   if (!is_last) progress.done = 0;
   listener_.image(number, image, progress);

@@ -15,7 +15,7 @@ using transport::RenderSettings;
 
 bool are_same(const PreviewRequest& a, const PreviewRequest& b) {
   return a.path == b.path && a.options == b.options && a.view == b.view && a.denoises == b.denoises &&
-         a.scene == b.scene;
+         a.region == b.region && a.scene == b.scene;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
+#include "renderer/job/preview_stages.h"
 #include "renderer/options/render_options.h"
 #include "renderer/transport/render.h"
 
@@ -19,8 +20,9 @@ struct PreviewRequest {
   grf::Scene scene;
   std::string path;  ///< of the scene's file, for relative paths; empty: the current folder
   options::RenderOptions options;
-  std::optional<transport::View> view;  ///< overrides the camera of the options, but not its lens
-  bool denoises = false;                ///< see `denoised`
+  std::optional<transport::View> view;       ///< overrides the camera of the options, but not its lens
+  bool denoises = false;                     ///< see `denoised`
+  std::optional<PreviewRegion> region = {};  ///< renders nothing else: the rest of an image is black
 };
 
 /// Reads images as transport::ImageReader does, and cancels when stop is requested.

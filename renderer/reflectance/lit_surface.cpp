@@ -17,13 +17,6 @@ float shift_a = 0.5;
 float shift_b = 0.5;
 )";
 
-constexpr std::string_view StudioText = R"(
-vec3 environment_radiance(vec3 d) { return studio_radiance(d); }
-bool environment_is_drawn() { return false; }
-float environment_pdf(vec3 d) { return 0.0; }
-vec3 environment_direction(int i) { return vec3(0, 1, 0); }
-)";
-
 struct StudioFormula {
   using real = float;
   using vec3 = Vec3f;
@@ -51,7 +44,7 @@ std::string lit_surface_shader(const std::string& brdf, const std::string& envir
   std::string text = brdf;
   text += PrologueText;
   text += shader_file("studio");
-  text += environment.empty() ? std::string(StudioText) : environment;
+  text += environment;
   text += shader_file("lit_surface");
   return text;
 }

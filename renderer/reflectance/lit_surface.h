@@ -23,24 +23,16 @@ struct DistantLight {
 };
 
 /// The GLSL of lit_surface.glsl with a BRDF's text before it (see `Shader`), of which it has the specular
-/// part as a table: `uniform vec3 specular_weights[64]`. `environment` is GLSL that defines `vec3
-/// environment_radiance(vec3 d)`, for which it can use `studio_radiance` below.
-std::string lit_surface_shader(const std::string& brdf, const std::string& environment = {});
+/// part as a table: `uniform vec3 specular_weights[64]`. `environment` is GLSL of what
+/// lit_surface.glsl needs of it, for which it can use `studio_radiance` below.
+std::string lit_surface_shader(const std::string& brdf, const std::string& environment);
 
 /// A studio's radiance from a direction: dim, brighter from above, with a soft window. studio.glsl.
 Rgb studio_radiance(const Vec3f& direction);
 
-/// The studio as the environment of a `LitSurface`.
-struct Studio {
-  Rgb operator()(const Vec3f& direction) const { return studio_radiance(direction); }
-  bool is_drawn() const { return false; }
-  float pdf(const Vec3f&) const { return 0; }
-  Vec3f direction(int) const { return Vec3f(0, 1, 0); }
-};
-
-/// A point of a surface in C++. `Environment` has the members of `Studio`: the radiance from a direction in
-/// world space; whether it draws directions; their solid-angle pdf; and the direction of an index of 0 or
-/// more. References must outlive this.
+/// A point of a surface in C++. `Environment` is called for the radiance from a direction in world space, and
+/// has `is_drawn`, whether it draws directions; `pdf`, their solid-angle pdf; and `direction`, that of an
+/// index of 0 or more. References must outlive this.
 template <class Environment>
 class LitSurface {
   using real = float;

@@ -5,6 +5,16 @@
 
 namespace transport {
 
+/// A rectangle of pixels of an image, from its upper left corner.
+struct CropWindow {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  bool operator==(const CropWindow&) const = default;
+};
+
 /// The position, direction and lens of a camera in world space; double, so that it works far from the world's
 /// origin.
 struct View {

@@ -39,9 +39,10 @@ std::vector<bool> tiles_of_probe(const Film& film, int count) {
 Render::Render(const CompiledScene& scene, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
+      crop_(settings.crop.value_or(CropWindow{0, 0, settings.width, settings.height})),
       kernel_(kernel_of(scene, settings.integrator)),
       camera_(relative_to(scene.origin(), settings.view), settings.width, settings.height),
-      film_(settings.width, settings.height),
+      film_(crop_.width, crop_.height),
       is_rendered_(tiles_of_probe(film_, settings.probe ? settings.probe->tiles : film_.tile_count())),
       start_(std::chrono::steady_clock::now()),
       start_ticks_(processor_ticks()),
@@ -164,7 +165,7 @@ std::vector<ErrorCheck> Render::checks() const {
 }
 
 double Render::rendered_fraction() const {
-  return pixel_count() / (static_cast<double>(settings_.width) * settings_.height);
+  return pixel_count() / (static_cast<double>(film_.width()) * film_.height());
 }
 
 void Render::work(TileQueue& queue) try {
@@ -216,7 +217,7 @@ void Render::render_pixel(const TileWork& work, int x, int y, FilmTile& tile, Re
       if (tile.add(x, y, scrambling, radiance)) continue;
       assert(false && "a sample is not finite");
       ++done.rejected;
-      const auto index = static_cast<std::uint64_t>(image_y) * settings_.width + image_x;
+      const auto index = static_cast<std::uint64_t>(image_y) * film_.width() + image_x;
       done.first_rejected = std::min(done.first_rejected, index);
     }
   }
@@ -239,9 +240,11 @@ void Render::keep_tile(const TileWork& work, const FilmTile& tile, const RenderT
   error_sums_ += now - before;
 }
 
-// Each scrambling uses the samples of its own sequence in order.
-Rgb Render::sample(Kernel kernel, int x, int y, int scrambling, std::uint32_t number,
+// Each scrambling uses the samples of its own sequence in order. The position is that in the crop window.
+Rgb Render::sample(Kernel kernel, int crop_x, int crop_y, int scrambling, std::uint32_t number,
                    RayCounter& counter) const {
+  const int x = crop_.x + crop_x;
+  const int y = crop_.y + crop_y;
   const std::uint32_t pixel_seed =
       hash(hash(settings_.seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
   PathSampler sampler(hash(pixel_seed, static_cast<std::uint32_t>(scrambling)), number, settings_.pattern);
@@ -262,7 +265,7 @@ void Render::contributions_of(int x, int y, int scrambling, std::uint32_t number
 std::optional<NotFinite> Render::cause_of_rejection() const {
   const RenderTotals all = totals();
   if (all.rejected == 0) return std::nullopt;
-  const auto width = static_cast<std::uint64_t>(settings_.width);
+  const auto width = static_cast<std::uint64_t>(film_.width());
   const int x = static_cast<int>(all.first_rejected % width);
   const int y = static_cast<int>(all.first_rejected / width);
   const Kernel kernel = observing_kernel_of(scene_, settings_.integrator);
@@ -440,9 +443,9 @@ RenderProgress Render::progress() const {
 
 Snapshot Render::snapshot(bool with_variance) const {
   Snapshot snapshot;
-  snapshot.mean = {settings_.width, settings_.height,
-                   std::vector<Rgb>(static_cast<std::size_t>(settings_.width) *
-                                    static_cast<std::size_t>(settings_.height))};
+  snapshot.mean = {
+      film_.width(), film_.height(),
+      std::vector<Rgb>(static_cast<std::size_t>(film_.width()) * static_cast<std::size_t>(film_.height()))};
   if (with_variance) snapshot.variance = snapshot.mean;
   FilmTile tile;
   for (int i = 0; i < film_.tile_count(); ++i) {

@@ -39,6 +39,9 @@ struct RenderSettings {
 
   int width = 500;
   int height = 400;
+  /// Only these pixels are rendered, as an image of that size: with the values that they have in the whole
+  /// one.
+  std::optional<CropWindow> crop;
   View view;
   IntegratorSettings integrator;
   std::shared_ptr<const Image> backplate;  ///< image behind the scene, fitted to the image plane; null: none
@@ -168,7 +171,8 @@ class Render {
                     RayCounter& counter) const;
   void keep_tile(const TileWork& work, const FilmTile& tile, const RenderTotals& done,
                  std::uint64_t sampling_ticks);
-  Rgb sample(Kernel kernel, int x, int y, int scrambling, std::uint32_t number, RayCounter& counter) const;
+  Rgb sample(Kernel kernel, int crop_x, int crop_y, int scrambling, std::uint32_t number,
+             RayCounter& counter) const;
   /// The position in the pixel (x, y), and that on the lens (z, w).
   Uniform4 place_in_pixel(int sample, PathSampler& sampler) const;
   std::optional<Rgb> backplate_at(float x, float y) const;
@@ -193,6 +197,7 @@ class Render {
 
   const CompiledScene& scene_;
   RenderSettings settings_;
+  CropWindow crop_;  ///< the whole image if there is none
   Kernel kernel_;
   Camera camera_;
   Film film_;

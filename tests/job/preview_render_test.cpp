@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "renderer/job/preview_stages.h"
 #include "renderer/job/render_job.h"
 #include "tests/job/preview_helpers.h"
 #include "tests/support/camera_image.h"
@@ -58,6 +59,52 @@ TEST(Preview, BeginsCoarseAndEndsWithTheImageOfTheRender) {
   EXPECT_EQ(images.back().image->pixels, rendered(request.options).pixels);
   EXPECT_EQ(images.back().progress.done, 1);
   for (const test::PreviewRecorder::Event& shown : images) test::expect_cornell_box(*shown.image);
+}
+
+/// Nothing else is traced: the pixels are those of the whole render, and the others are black.
+TEST(Preview, RendersOnlyItsRegion) {
+  PreviewRequest request = sample_request("cornell_box/cornell_box.grf");
+  const transport::Image whole = rendered(request.options);
+  for (const bool denoises : {false, true}) {
+    request.region = job::PreviewRegion{0.3, 0.25, 0.7, 0.9};
+    request.denoises = denoises;
+    test::PreviewRecorder recorder;
+    PreviewRender preview(recorder.listener());
+    const int number = preview.start(request);
+    ASSERT_TRUE(recorder.reaches(number, PreviewState::Done)) << recorder.text(number);
+    const auto images = recorder.images(number);
+    const transport::Image& last = *images.back().image;
+    ASSERT_EQ(last.width, whole.width);
+    ASSERT_EQ(last.height, whole.height);
+    double lit = 0;
+    for (int y = 0; y < whole.height; ++y) {
+      for (int x = 0; x < whole.width; ++x) {
+        const bool is_inside = x + 1 > 0.3 * whole.width && x < 0.7 * whole.width &&
+                               y + 1 > 0.25 * whole.height && y < 0.9 * whole.height;
+        if (!is_inside) {
+          ASSERT_EQ(last.at(x, y), reflectance::Rgb(0)) << x << ' ' << y;
+        } else if (!denoises) {
+          ASSERT_EQ(last.at(x, y), whole.at(x, y)) << x << ' ' << y;
+        }
+        lit += double(last.at(x, y).y);
+      }
+    }
+    EXPECT_GT(lit, 0);
+    EXPECT_EQ(images.back().progress.done, 1);
+  }
+}
+
+TEST(PreviewStages, HaveTheRegionInEachResolution) {
+  transport::RenderSettings whole;
+  whole.width = 804;
+  whole.height = 600;
+  const auto stages = job::preview_stages(whole, job::PreviewRegion{0.25, 0.5, 0.5, 1});
+  ASSERT_EQ(stages.size(), 4U);
+  EXPECT_EQ(stages[0].width, 101);
+  EXPECT_EQ(*stages[0].crop, (transport::CropWindow{25, 37, 26, 38}));
+  EXPECT_EQ(*stages[3].crop, (transport::CropWindow{201, 300, 201, 300}));
+  for (const auto& stage : job::preview_stages(whole)) EXPECT_FALSE(stage.crop);
+  EXPECT_EQ(job::pixels_of({0.999, 0.999, 0.9995, 2}, 10, 10), (transport::CropWindow{9, 9, 1, 1}));
 }
 
 TEST(Preview, GoesOnAfterAPauseAsThoughThereHadBeenNone) {

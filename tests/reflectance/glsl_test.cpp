@@ -156,7 +156,7 @@ TEST(GlslMirror, IsWhatCppsIs) {
 /// A shared file that is missing from the list would fail only in the window.
 TEST(GlslTexts, AreAModelsOrShared) {
   // The shader of a lit surface has its own texts around those of the BRDF.
-  const std::string shared = reflectance::shader_functions({}) + reflectance::lit_surface_shader("");
+  const std::string shared = reflectance::shader_functions({}) + reflectance::lit_surface_shader("", "");
   for (const reflectance::GlslText& file : reflectance::glsl_texts()) {
     EXPECT_FALSE(file.text.empty()) << file.name;
     const bool is_a_models = std::ranges::any_of(

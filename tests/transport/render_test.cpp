@@ -211,6 +211,31 @@ TEST(Render, PlacesSamplesInAPixel) {
   EXPECT_EQ(shown(), 1 << 10);
 }
 
+/// The pixels of a crop window are those of the whole image, and only they are sampled.
+TEST(Render, TracesOnlyThePixelsOfItsCropWindow) {
+  const CompiledScene scene = cornell_scene();
+  RenderSetup setup = cornell_look();
+  setup.samples = 4;
+  transport::RenderSettings settings = test::settings_of(setup);
+  settings.backplate = std::make_shared<const Image>(Image{2, 2, {Rgb(1), Rgb(2), Rgb(3), Rgb(4)}});
+  transport::Render whole(scene, settings);
+  whole.run();
+  settings.crop = transport::CropWindow{5, 20, 37, 11};
+  transport::Render cropped(scene, settings);
+  cropped.run();
+  EXPECT_EQ(cropped.path_count(), 37U * 11 * 4);
+  EXPECT_EQ(cropped.samples_per_pixel(), 4);
+  EXPECT_EQ(cropped.progress().done, 1);
+  const Image expected = whole.film().mean();
+  const Image image = cropped.film().mean();
+  ASSERT_EQ(image.width, 37);
+  ASSERT_EQ(image.height, 11);
+  EXPECT_EQ(cropped.snapshot().mean.pixels, image.pixels);
+  for (int y = 0; y < 11; ++y) {
+    for (int x = 0; x < 37; ++x) ASSERT_EQ(image.at(x, y), expected.at(x + 5, y + 20)) << x << ", " << y;
+  }
+}
+
 TEST(Render, StopsEarlyWithTheImageSoFar) {
   const CompiledScene scene = cornell_scene();
   RenderSetup setup = cornell_look();

@@ -4,6 +4,10 @@ uniform float sum_weight;  // 0 shows the image's own colours
 uniform vec2 to_picture;   // image pixels per screen pixel
 uniform vec3 background_top;
 uniform vec3 background_bottom;
+uniform vec3 view_forward, view_right, view_up;  // the last two are half the image plane at distance 1
+uniform sampler2D plate;                         // image behind the scene, its first row on top
+uniform float plate_width;                       // fraction of the screen's; 0: none
+uniform float plate_scale;
 uniform sampler2D rendered;  // premultiplied, its first row on top
 uniform bool has_rendered;
 uniform vec2 size;  // of the screen, in pixels
@@ -17,6 +21,16 @@ bool is_selected(ivec2 place) {
   ivec2 size = textureSize(faces, 0);
   uvec2 face = face_at(clamp(place, ivec2(0), size - 1));
   return !is_nothing(face) && texelFetch(selected, int(face.y)).r != 0u;
+}
+
+vec3 background(vec2 at) {
+#ifdef HAS_MAP
+  return tone_mapped(visible_sky(normalize(view_forward + view_right * (at.x * 2 - 1) + view_up * (at.y * 2 - 1))));
+#else
+  float across = plate_width > 0 ? 0.5 + (at.x - 0.5) / plate_width : -1;
+  if (across >= 0 && across <= 1) return tone_mapped(plate_scale * texture(plate, vec2(across, 1 - at.y)).rgb);
+  return mix(background_bottom, background_top, at.y);
+#endif
 }
 
 vec3 with_selection(vec3 shown, ivec2 place) {
@@ -36,8 +50,8 @@ void main() {
   ivec2 place = ivec2(at);
   vec4 shown = sum_weight > 0 ? texelFetch(sum, place, 0) * sum_weight
                               : texture(colours, at / vec2(textureSize(colours, 0)));
-  vec3 background = mix(background_bottom, background_top, gl_FragCoord.y / size.y);
-  vec3 over = shown.rgb + background * (1 - shown.a);
+  vec3 over = shown.rgb;
+  if (shown.a < 1) over += background(gl_FragCoord.xy / size) * (1 - shown.a);
   if (has_rendered) {
     vec4 image = texture(rendered, vec2(gl_FragCoord.x / size.x, 1 - gl_FragCoord.y / size.y));
     over = image.rgb + over * (1 - image.a);

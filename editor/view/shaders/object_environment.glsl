@@ -1,4 +1,4 @@
-// The environment of the BRDF viewer: see studies::Environment. studio.glsl and atan2 precede this text.
+// An environment of the BRDF viewer and others: see studies::Environment. studio.glsl and atan2 precede this text.
 uniform int sky;        // 0 none, 1 constant, 2 studio, 3 map
 uniform vec3 sky_scale;
 uniform vec2 sky_turn;  // cosine and sine
@@ -8,13 +8,16 @@ uniform sampler2D sky_directions;  // these directions
 
 vec3 rotated(vec3 d, vec2 turn) { return vec3(turn.x * d.x - turn.y * d.z, d.y, turn.y * d.x + turn.x * d.z); }
 
-vec4 sky_texel(vec3 direction) {
+// The position of a direction on the map, (0, 0) its upper left corner and (1, 1) the lower right one.
+vec2 sky_place(vec3 direction) {
   vec3 d = rotated(direction, sky_turn);
-  ivec2 size = textureSize(sky_map, 0);
   float theta = atan2(sqrt(d.x * d.x + d.z * d.z), d.y);
-  float phi = atan2(d.x, -d.z);
-  ivec2 place = ivec2((0.5 + phi / (2 * PI)) * float(size.x), theta / PI * float(size.y));
-  return texelFetch(sky_map, clamp(place, ivec2(0), size - 1), 0);
+  return vec2(0.5 + atan2(d.x, -d.z) / (2 * PI), theta / PI);
+}
+
+vec4 sky_texel(vec3 direction) {
+  ivec2 size = textureSize(sky_map, 0);
+  return texelFetch(sky_map, clamp(ivec2(sky_place(direction) * vec2(size)), ivec2(0), size - 1), 0);
 }
 
 vec3 environment_radiance(vec3 d) {

@@ -1,5 +1,6 @@
-// Shades a BRDF under a headlight and a sky, in the common subset of GLSL and C++: see cpu_shading.cpp.
-// `model(u, v)` is the BRDF, and `sky(d)` precedes this text.
+// Shades a BRDF under a headlight, distant lights and a sky, in the common subset of GLSL and C++: see
+// cpu_shading.cpp. `model(u, v)` is the BRDF; `headlight`, the `light_count` lights in world space and
+// `sampled_sky(d)` precede this text.
 
 // The R2 offset of a pixel in [0,1)^2 (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences").
 vec2 pixel_start(uint x, uint y) {
@@ -37,13 +38,19 @@ vec3 sky_part(vec3 u, mat3 to_world, real exponent, vec2 start, int samples, int
     vec3 v = (i & 1) == 0 ? cosine_direction(xi) : lobe_direction(u, exponent, xi);
     if (v.z <= 1e-4) continue;
     real pdf = 0.5 * (v.z / PI + lobe_pdf(u, v, exponent));
-    sum += model(u, v) * sky(to_world * v) * (v.z / pdf);
+    sum += model(u, v) * sampled_sky(to_world * v) * (v.z / pdf);
   }
   return sum / real(samples);
 }
 
 vec3 reflected_light(vec3 u, mat3 to_world, real exponent, vec2 start, int samples, int first_sample) {
-  return model(u, u) * (1.6 * u.z) + sky_part(u, to_world, exponent, start, samples, first_sample);
+  vec3 sum = sky_part(u, to_world, exponent, start, samples, first_sample);
+  if (headlight > 0) sum += model(u, u) * (headlight * u.z);
+  for (int i = 0; i < light_count; ++i) {
+    vec3 v = light_directions[i] * to_world;
+    if (v.z > 1e-4) sum += model(u, v) * light_irradiance[i] * v.z;
+  }
+  return sum;
 }
 
 // Tangent, bitangent and normal in camera space. The angle is that of the tangent about the normal, over 2 pi and

@@ -11,7 +11,7 @@ vec3 mirror_part(uvec2 face, int first, vec3 eye, vec3 n, vec3 paint) {
   float at = max(dot(eye, n), 0) * float(mirror_values - 1);
   int low = min(int(at), mirror_values - 2);
   vec3 weight = mix(texelFetch(terms, first + low).rgb, texelFetch(terms, first + low + 1).rgb, at - float(low));
-  return paint * weight * sky(camera_to_world * reflect(-eye, n));
+  return paint * weight * visible_sky(camera_to_world * reflect(-eye, n));
 }
 
 void main() {
@@ -25,6 +25,5 @@ void main() {
   vec3 paint = surface_row(face, 0).rgb * texelFetch(values, place, 0).rgb;
   if (mirror >= 0) radiance += mirror_part(face, mirror, eye, normal_at(place), paint);
   if (!is_from_behind(face)) radiance += surface_row(face, 1).rgb;
-  // A shoulder keeps bright colours distinct.
-  colour = vec4(encoded(vec3(1) - exp(-1.25 * radiance)), 1);
+  colour = vec4(tone_mapped(radiance), 1);
 }

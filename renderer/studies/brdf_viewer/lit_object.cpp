@@ -43,8 +43,10 @@ float Environment::pdf(const Vec3f& direction) const {
 }
 
 Vec3f Environment::direction(int index) const {
-  return rotated((*drawn)[static_cast<std::size_t>(index % DrawnDirections)], -turned);
+  return in_world((*drawn)[static_cast<std::size_t>(index % DrawnDirections)]);
 }
+
+Vec3f Environment::in_world(const Vec3f& of_map) const { return rotated(of_map, -turned); }
 
 void Environment::set_map(std::shared_ptr<const transport::EnvironmentMap> of_map) {
   map = std::move(of_map);

@@ -36,6 +36,8 @@ struct Environment {
   bool is_drawn() const { return kind == Kind::Map && drawn != nullptr; }
   float pdf(const Vec3f& direction) const;
   Vec3f direction(int index) const;
+  /// Returns a direction of the map in world space.
+  Vec3f in_world(const Vec3f& of_map) const;
 };
 
 /// A part of a BRDF, with the weight of its reflection of the environment.

@@ -70,14 +70,17 @@ class FeatureRays {
 }  // namespace
 
 FeatureLayers feature_layers(const CompiledScene& scene, const View& view, int width, int height, int samples,
-                             std::uint32_t seed, int threads) {
-  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+                             std::uint32_t seed, int threads, const std::optional<CropWindow>& crop) {
+  const CropWindow window = crop.value_or(CropWindow{0, 0, width, height});
+  const std::size_t count = static_cast<std::size_t>(window.width) * static_cast<std::size_t>(window.height);
   FeatureLayers layers;
-  layers.albedo = {width, height, std::vector<Rgb>(count)};
-  layers.normal = {width, height, std::vector<Rgb>(count)};
+  layers.albedo = {window.width, window.height, std::vector<Rgb>(count)};
+  layers.normal = {window.width, window.height, std::vector<Rgb>(count)};
   layers.depth.resize(count);
   const FeatureRays rays(scene, view, width, height);
-  const auto fill = [&](int x, int y) {
+  const auto fill = [&](int column, int row) {
+    const int x = window.x + column;
+    const int y = window.y + row;
     const std::uint32_t pixel_seed =
         hash(hash(seed, static_cast<std::uint32_t>(x)), static_cast<std::uint32_t>(y));
     PixelFeatures sum;
@@ -85,16 +88,16 @@ FeatureLayers feature_layers(const CompiledScene& scene, const View& view, int w
       PathSampler sampler(pixel_seed, static_cast<std::uint32_t>(sample));
       rays.add(x, y, sampler, sum);
     }
-    const std::size_t index =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    const std::size_t index = static_cast<std::size_t>(row) * static_cast<std::size_t>(window.width) +
+                              static_cast<std::size_t>(column);
     layers.albedo.pixels[index] = sum.albedo / static_cast<float>(samples);
     layers.normal.pixels[index] = sum.normal / static_cast<float>(samples);
     layers.depth[index] =
         sum.hits > 0 ? sum.depth / static_cast<float>(sum.hits) : std::numeric_limits<float>::infinity();
   };
   parallel::run_with_threads(threads, [&] {
-    parallel::for_each_index(height, [&](int y) {
-      for (int x = 0; x < width; ++x) fill(x, y);
+    parallel::for_each_index(window.height, [&](int row) {
+      for (int column = 0; column < window.width; ++column) fill(column, row);
     });
   });
   return layers;

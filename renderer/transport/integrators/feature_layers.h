@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "renderer/transport/camera.h"
@@ -20,8 +21,10 @@ struct FeatureLayers {
       depth;  ///< along the view's axis, over the rays that hit something; infinite if none does
 };
 
-/// Computes the layers. They depend only on the seed, not on the number of threads (0: one per core).
+/// Computes the layers. They depend only on the seed, not on the number of threads (0: one per core). With a
+/// crop window, the layers are of its pixels.
 FeatureLayers feature_layers(const CompiledScene& scene, const View& view, int width, int height,
-                             int samples = 16, std::uint32_t seed = 0, int threads = 0);
+                             int samples = 16, std::uint32_t seed = 0, int threads = 0,
+                             const std::optional<CropWindow>& crop = {});
 
 }  // namespace transport

@@ -3,8 +3,10 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QThreadPool>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <tuple>
 
 #include <gmock/gmock.h>
 
@@ -136,6 +138,86 @@ TEST(ShadeByCpp, ShowsAMatteSurfaceUnderTheLight) {
   const SphereImage without = shade_on_cpu(scene, 64, {});
   const std::size_t middle = 32 * 65 + 32;
   EXPECT_NEAR(with_light.radiance[middle].x - without.radiance[middle].x, 1, 1e-4);
+}
+
+/// A map with a bright patch towards -x, 20 degrees over the horizon.
+studies::Environment map_with_a_window() {
+  transport::Image image = {64, 32, std::vector<reflectance::Rgb>(2048, reflectance::Rgb(0.1F, 0.2F, 0.3F))};
+  for (int y = 10; y < 14; ++y) {
+    for (int x = 14; x < 18; ++x) image.pixels[static_cast<std::size_t>(y * 64 + x)] = reflectance::Rgb(20);
+  }
+  studies::Environment environment;
+  environment.kind = studies::Environment::Kind::Map;
+  environment.set_map(std::make_shared<const transport::EnvironmentMap>(std::move(image)));
+  return environment;
+}
+
+TEST(SphereShader, IsWhatCppIsInAnEnvironment) {
+  OffscreenContext context;
+  QOpenGLContext* const current = context.make_current();
+  ASSERT_NE(current, nullptr);
+  const auto shader = SphereShader::create(*current);
+  ASSERT_TRUE(shader);
+  for (const char* text : {"ward sx=0.2 ks=0.5 kd=0.3", "diffuse kd=0.7", "specular ks=0.8"}) {
+    SphereScene scene;
+    scene.brdf = compiled_brdf_of(text);
+    scene.side = 48;
+    scene.light_strength = 0;
+    scene.environment = map_with_a_window();
+    scene.environment.turned = 0.7F;
+    const auto by_glsl = shader->shade(scene, 64, StopFlag());
+    ASSERT_TRUE(by_glsl) << text;
+    const SphereImage by_cpp = shade_on_cpu(scene, 64, {});
+    int differing = 0;
+    for (std::size_t i = 0; i < by_cpp.radiance.size(); ++i) {
+      const reflectance::Rgb& expected = by_cpp.radiance[i];
+      if ((by_glsl->radiance[i] - expected).length() > 0.01F * expected.length() + 1e-4F) ++differing;
+    }
+    // Samples at the border of a texel may fall on either side.
+    EXPECT_LE(differing, 48 * 48 / 20) << text;
+  }
+}
+
+/// The mean radiance of the left and the right half of an image.
+std::array<float, 2> halves(const SphereImage& image) {
+  std::array<float, 2> sums = {};
+  for (int row = 0; row < image.side; ++row) {
+    for (int column = 0; column < image.side; ++column) {
+      sums[column < image.side / 2 ? 0 : 1] +=
+          image.radiance[static_cast<std::size_t>(row * image.side + column)].y;
+    }
+  }
+  return sums;
+}
+
+TEST(LiveSphere, IsLitByAnEnvironmentThatTurns) {
+  LiveSphere sphere;
+  sphere.resize(120, 120);
+  sphere.set_brdf(compiled_brdf_of("diffuse kd=1"));
+  sphere.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&sphere));
+  const auto shown = [&] {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return sphere.image().side > 0 && !sphere.is_busy(); }, 20000));
+    return sphere.image();
+  };
+  const SphereImage studio = shown();
+  studies::Environment environment = map_with_a_window();
+  sphere.set_environment(environment);
+  auto [left, right] = halves(shown());
+  EXPECT_GT(left, 1.3F * right) << "the window is towards -x";
+  environment.turned = reflectance::Pi;
+  sphere.set_environment(environment);
+  std::tie(left, right) = std::tuple_cat(halves(shown()));
+  EXPECT_GT(right, 1.3F * left);
+  // A white sphere in a uniform environment is as bright as it.
+  environment.set_map(std::make_shared<const transport::EnvironmentMap>(
+      transport::Image{4, 2, std::vector<reflectance::Rgb>(8, reflectance::Rgb(0.4F))}));
+  sphere.set_environment(environment);
+  const SphereImage furnace = shown();
+  EXPECT_NEAR(furnace.radiance[static_cast<std::size_t>(furnace.side / 2 * (furnace.side + 1))].x, 0.4F,
+              0.02F);
+  sphere.set_environment(std::nullopt);
+  EXPECT_EQ(shown().radiance, studio.radiance);
 }
 
 TEST(LiveSphere, FollowsThePointerAndTheKeys) {

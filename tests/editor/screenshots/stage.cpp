@@ -9,6 +9,7 @@
 
 #include "editor/panels/message_panel.h"
 #include "editor/rendering/render_panel.h"
+#include "editor/view/environment_store.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/render_controller.h"
 #include "tests/editor/window/window_driver.h"
@@ -169,7 +170,8 @@ void Stage::render(QSize size, int samples) {
 void Stage::settle() {
   const auto is_idle = [this] {
     const bool is_drawn = window_->view().is_complete() || !window_->view().isVisible();
-    return is_drawn && QThreadPool::globalInstance()->activeThreadCount() == 0 &&
+    return is_drawn && window_->environment().is_complete() &&
+           QThreadPool::globalInstance()->activeThreadCount() == 0 &&
            !window_->brdf_editor().lobe().is_busy() && !window_->brdf_editor().sphere().is_busy();
   };
   // Finished work may start more work.

@@ -22,6 +22,7 @@
 #include "editor/options/options_window.h"
 #include "editor/panels/face_query_dialog.h"
 #include "editor/panels/light_panel.h"
+#include "editor/panels/sky_dialog.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/render_controller.h"
@@ -183,6 +184,13 @@ TEST_F(Accessibility, OfTheListOfShortcuts) {
         list->findChild<QTreeWidget*>()->findItems(keys, Qt::MatchExactly | Qt::MatchRecursive, 0).isEmpty())
         << keys;
   }
+}
+
+TEST_F(Accessibility, OfTheSkyDialog) {
+  SkyDialog dialog;
+  dialog.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+  check_controls(dialog);
 }
 
 TEST_F(Accessibility, OfTheDialogThatSelectsFaces) {

@@ -14,11 +14,14 @@
 #include "editor/appearance/theme.h"
 #include "editor/brdf/brdf_editor.h"
 #include "editor/controls/number_box.h"
+#include "editor/panels/environment_form.h"
 #include "editor/panels/message_panel.h"
 #include "editor/panels/surface_panel.h"
 #include "editor/panels/uv_view.h"
 #include "editor/rendering/render_panel.h"
+#include "editor/view/environment_store.h"
 #include "editor/window/file_actions.h"
+#include "renderer/transport/image/image_encoders.h"
 #include "tests/editor/window/window_driver.h"
 #include "tests/support/paths.h"
 #include "tests/support/sanitizers.h"
@@ -268,6 +271,39 @@ TEST_F(Responsiveness, OfTextureCoordinates) {
     test::drag(uvs, uvs.rect().center(), uvs.rect().center() + QPoint(20, 10));
     wait_for_step(before);
   });
+}
+
+/// The map is read, reduced and searched for lights elsewhere.
+TEST_F(Responsiveness, OfALargeEnvironment) {
+  transport::Image image = {8192, 4096, {}};
+  for (int y = 0; y < image.height; ++y) {
+    const reflectance::Rgb radiance(static_cast<float>(y) / static_cast<float>(image.height));
+    image.pixels.insert(image.pixels.end(), static_cast<std::size_t>(image.width), radiance);
+  }
+  image.pixels[std::size_t(1000) * 8192 + 3000] = reflectance::Rgb(1e6F);
+  const QString file = QString::fromStdString(folder_.add("map.exr", transport::encode_exr({image})));
+  image = {};
+  view().set_mode(DisplayMode::Brdf);
+  const auto settle_map = [this] {
+    EXPECT_TRUE(QTest::qWaitFor([this] { return window_.environment().is_complete(); }, Minute));
+  };
+  const auto none = [this] { set_environment(document().options(), {}); };
+  expect_quick(
+      "environment map of 8192 x 4096",
+      [&] {
+        set_environment(document().options(), file);
+        settle_map();
+      },
+      none);
+  ASSERT_NE(window_.environment().environment(), nullptr);
+  EXPECT_EQ(window_.environment().environment()->sky.map->image().width, 2048);
+  const int readings = window_.environment().readings();
+  expect_quick("rotation of the environment", [&] {
+    options::RenderOptions turned = document().options().valid_options();
+    turned.environment_rotation += 10;
+    document().options().set_options("Rotate environment", turned);
+  });
+  EXPECT_EQ(window_.environment().readings(), readings);
 }
 
 TEST_F(Responsiveness, OfFilesAndRenders) {
