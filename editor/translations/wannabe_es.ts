@@ -388,6 +388,30 @@ Valores: %2. Por defecto: %3.</translation>
         <source>Cannot show this BRDF:</source>
         <translation>No se puede mostrar esta BRDF:</translation>
     </message>
+    <message>
+        <source>Light of the sphere</source>
+        <translation>Luz de la esfera</translation>
+    </message>
+    <message>
+        <source>Studio and a lamp</source>
+        <translation>Estudio y una lámpara</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>Entorno</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Luz</translation>
+    </message>
+    <message>
+        <source>What lights the sphere: a studio and a lamp that the pointer moves, or the environment map of the scene, seen along -z</source>
+        <translation>Qué ilumina la esfera: un estudio y una lámpara que mueve el puntero, o el mapa de entorno de la escena, visto hacia -z</translation>
+    </message>
+    <message>
+        <source>The environment map of the scene can light the sphere; the scene has none</source>
+        <translation>El mapa de entorno de la escena puede iluminar la esfera; la escena no tiene ninguno</translation>
+    </message>
 </context>
 <context>
     <name>editor::BrdfForm</name>
@@ -1360,6 +1384,26 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <source>Choose a file…</source>
         <translation>Elegir un archivo…</translation>
     </message>
+    <message>
+        <source>Sky by place and time…</source>
+        <translation>Cielo según lugar y hora…</translation>
+    </message>
+    <message>
+        <source>Make an environment map of the clear sky and the sun at a place and a time</source>
+        <translation>Crea un mapa de entorno del cielo despejado y el sol en un lugar y a una hora</translation>
+    </message>
+    <message>
+        <source>Sky by place and time</source>
+        <translation>Cielo según lugar y hora</translation>
+    </message>
+    <message>
+        <source>Save the sky</source>
+        <translation>Guardar el cielo</translation>
+    </message>
+    <message>
+        <source>OpenEXR (*.exr)</source>
+        <translation>OpenEXR (*.exr)</translation>
+    </message>
 </context>
 <context>
     <name>editor::ErrorCurve</name>
@@ -1999,6 +2043,77 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
     </message>
 </context>
 <context>
+    <name>editor::ForecastRow</name>
+    <message>
+        <source>Forecast of the render time</source>
+        <translation>Previsión del tiempo de renderizado</translation>
+    </message>
+    <message>
+        <source>Time until the image has an error of:</source>
+        <translation>Tiempo hasta que la imagen tenga un error de:</translation>
+    </message>
+    <message>
+        <source>Forecast from a short probe of the image on this machine, as if nothing else ran. The true time is in the interval with 90 % probability</source>
+        <translation>Previsión a partir de un breve sondeo de la imagen en este equipo, como si no se ejecutara nada más. El tiempo real está en el intervalo con una probabilidad del 90 %</translation>
+    </message>
+    <message>
+        <source>Forecast: measuring how long a render takes…</source>
+        <translation>Previsión: se mide cuánto tarda un renderizado…</translation>
+    </message>
+    <message>
+        <source>A short probe of the image runs in the background with the lowest priority</source>
+        <translation>Un breve sondeo de la imagen se ejecuta en segundo plano con la prioridad más baja</translation>
+    </message>
+    <message>
+        <source>No forecast: %1</source>
+        <translation>Sin previsión: %1</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nunca</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>de %1 a %2</translation>
+    </message>
+    <message>
+        <source>Render until an error of %1</source>
+        <translation>Renderizar hasta un error de %1</translation>
+    </message>
+    <message>
+        <source>Set the target error to %1, without a limit of samples</source>
+        <translation>Fijar el error objetivo en %1, sin límite de muestras</translation>
+    </message>
+    <message>
+        <source>The render takes %1, with 90 % probability %2 to %3, until its estimated error is %4.</source>
+        <translation>El renderizado tarda %1, con una probabilidad del 90 % de %2 a %3, hasta que su error estimado es %4.</translation>
+    </message>
+    <message>
+        <source>under 1 s</source>
+        <translation>menos de 1 s</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 días</translation>
+    </message>
+</context>
+<context>
     <name>editor::ImageBrowser</name>
     <message>
         <source>Drop an image here, open one, or render: exr, hdr, pfm, raw, png, jpg or tga.</source>
@@ -2096,6 +2211,14 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <source>Images (*.exr *.hdr *.pfm *.raw *.png *.jpg *.jpeg *.tga);;All files (*)</source>
         <translation>Imágenes (*.exr *.hdr *.pfm *.raw *.png *.jpg *.jpeg *.tga);;Todos los archivos (*)</translation>
     </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>de %1 a %2</translation>
+    </message>
+    <message>
+        <source>B has no layer %1</source>
+        <translation>B no tiene la capa %1</translation>
+    </message>
 </context>
 <context>
     <name>editor::ImageController</name>
@@ -2106,6 +2229,10 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
     <message>
         <source>View and compare images of renders and files</source>
         <translation>Muestra y compara imágenes de renders y de archivos</translation>
+    </message>
+    <message>
+        <source>%1, before</source>
+        <translation>%1, antes</translation>
     </message>
 </context>
 <context>
@@ -2386,6 +2513,38 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
     <message>
         <source>Open a second image to compare with.</source>
         <translation>Abra una segunda imagen con la que comparar.</translation>
+    </message>
+    <message>
+        <source>Next layer</source>
+        <translation>Capa siguiente</translation>
+    </message>
+    <message>
+        <source>Show the next layer of the image.</source>
+        <translation>Muestra la capa siguiente de la imagen.</translation>
+    </message>
+    <message>
+        <source>Previous layer</source>
+        <translation>Capa anterior</translation>
+    </message>
+    <message>
+        <source>Show the previous layer of the image.</source>
+        <translation>Muestra la capa anterior de la imagen.</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Capa</translation>
+    </message>
+    <message>
+        <source>image</source>
+        <translation>imagen</translation>
+    </message>
+    <message>
+        <source>The layer of A and B that is shown. Keys L and Shift+L.</source>
+        <translation>La capa de A y de B que se muestra. Teclas L y Shift+L.</translation>
+    </message>
+    <message>
+        <source>Image A has no layers: the render option BPT_Layers adds them to an exr.</source>
+        <translation>La imagen A no tiene capas: la opción de render BPT_Layers las añade a un exr.</translation>
     </message>
 </context>
 <context>
@@ -3348,10 +3507,6 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
         <translation>Añade un observador en el punto de vista de la vista 3D</translation>
     </message>
     <message>
-        <source>&amp;Bake irradiance</source>
-        <translation>P&amp;recalcular la irradiancia</translation>
-    </message>
-    <message>
         <source>Bake the irradiance at all vertices and store it in the scene</source>
         <translation>Precalcula la irradiancia en todos los vértices y la guarda en la escena</translation>
     </message>
@@ -3431,6 +3586,18 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
         <source>Help</source>
         <translation>Ayuda</translation>
     </message>
+    <message>
+        <source>Chec&amp;k...</source>
+        <translation>Co&amp;mprobar...</translation>
+    </message>
+    <message>
+        <source>List what can make the image wrong or noisy, and repair it: lamps in solids, flipped normals, duplicates, values that are not finite</source>
+        <translation>Lista lo que puede hacer que la imagen sea incorrecta o ruidosa, y lo repara: lámparas dentro de sólidos, normales invertidas, duplicados, valores no finitos</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ke irradiance</source>
+        <translation>P&amp;recalcular la irradiancia</translation>
+    </message>
 </context>
 <context>
     <name>editor::MaterialActions</name>
@@ -3486,16 +3653,8 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
         <translation>Subdivide las mallas %1; una cara con n esquinas pasa a ser n cuadriláteros</translation>
     </message>
     <message>
-        <source>Subdivide (L&amp;oop)</source>
-        <translation>Su&amp;bdividir (Loop)</translation>
-    </message>
-    <message>
         <source>Subdivide the meshes %1; they are triangulated, and each triangle becomes four</source>
         <translation>Subdivide las mallas %1; se triangulan, y cada triángulo pasa a ser cuatro</translation>
-    </message>
-    <message>
-        <source>&amp;Smooth vertices</source>
-        <translation>&amp;Suavizar los vértices</translation>
     </message>
     <message>
         <source>Smooth noise and small features of the meshes %1</source>
@@ -3660,6 +3819,14 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
     <message>
         <source>Cancel: the selection stays as it is</source>
         <translation>Cancelar: la selección queda como está</translation>
+    </message>
+    <message>
+        <source>Subdi&amp;vide (Loop)</source>
+        <translation>Su&amp;bdividir (Loop)</translation>
+    </message>
+    <message>
+        <source>S&amp;mooth vertices</source>
+        <translation>&amp;Suavizar los vértices</translation>
     </message>
 </context>
 <context>
@@ -3857,10 +4024,6 @@ Los problemas aparecen aquí mientras edita.</translation>
         <translation>Añade una esfera sobre el suelo en el centro de la órbita</translation>
     </message>
     <message>
-        <source>Add a &amp;cylinder</source>
-        <translation>Añadir un c&amp;ilindro</translation>
-    </message>
-    <message>
         <source>Add a closed cylinder on the floor at the orbit centre</source>
         <translation>Añade un cilindro cerrado sobre el suelo en el centro de la órbita</translation>
     </message>
@@ -3897,24 +4060,12 @@ Los problemas aparecen aquí mientras edita.</translation>
         <translation>Añadir: %1</translation>
     </message>
     <message>
-        <source>&amp;Move gizmo</source>
-        <translation>Manipulador para &amp;mover</translation>
-    </message>
-    <message>
         <source>Show arrows that move the selected objects along axes and in planes</source>
         <translation>Muestra flechas que mueven los objetos seleccionados según los ejes y en planos</translation>
     </message>
     <message>
-        <source>&amp;Rotate gizmo</source>
-        <translation>Manipulador para &amp;rotar</translation>
-    </message>
-    <message>
         <source>Show rings that rotate the selected objects</source>
         <translation>Muestra anillos que rotan los objetos seleccionados</translation>
-    </message>
-    <message>
-        <source>&amp;Scale gizmo</source>
-        <translation>Manipulador para &amp;escalar</translation>
     </message>
     <message>
         <source>Show handles that scale the selected objects</source>
@@ -3977,16 +4128,8 @@ Los problemas aparecen aquí mientras edita.</translation>
         <translation>Rota y escala alrededor del origen de la escena</translation>
     </message>
     <message>
-        <source>&amp;Local axes</source>
-        <translation>Ejes &amp;locales</translation>
-    </message>
-    <message>
         <source>Move, rotate and scale along the axes of the object instead of the world</source>
         <translation>Mueve, rota y escala según los ejes del objeto en vez de los de la escena</translation>
-    </message>
-    <message>
-        <source>S&amp;nap</source>
-        <translation>Ajus&amp;te</translation>
     </message>
     <message>
         <source>Snap to the grid, to 5° and to factors of 0.1; Ctrl inverts it</source>
@@ -4093,14 +4236,6 @@ Los problemas aparecen aquí mientras edita.</translation>
         <translation>P&amp;ivote</translation>
     </message>
     <message>
-        <source>M&amp;irror</source>
-        <translation>Refle&amp;jar</translation>
-    </message>
-    <message>
-        <source>&amp;Align and distribute</source>
-        <translation>&amp;Alinear y distribuir</translation>
-    </message>
-    <message>
         <source>&amp;Group</source>
         <translation>A&amp;grupar</translation>
     </message>
@@ -4117,10 +4252,6 @@ Los problemas aparecen aquí mientras edita.</translation>
         <translation>Sustituye los grupos seleccionados por sus objetos, que se quedan donde están</translation>
     </message>
     <message>
-        <source>Make sing&amp;le</source>
-        <translation>&amp;Hacer único</translation>
-    </message>
-    <message>
         <source>Turn the selected instances into meshes of their own</source>
         <translation>Convierte las instancias seleccionadas en mallas propias</translation>
     </message>
@@ -4131,6 +4262,78 @@ Los problemas aparecen aquí mientras edita.</translation>
     <message>
         <source>Turn the last of the selected meshes into a definition and an instance of it</source>
         <translation>Convierte la última de las mallas seleccionadas en una definición y una instancia de ella</translation>
+    </message>
+    <message>
+        <source>Add a c&amp;ylinder</source>
+        <translation>Añadir un c&amp;ilindro</translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve gizmo</source>
+        <translation>Manipulador para &amp;mover</translation>
+    </message>
+    <message>
+        <source>Rota&amp;te gizmo</source>
+        <translation>Manipulador para &amp;rotar</translation>
+    </message>
+    <message>
+        <source>S&amp;cale gizmo</source>
+        <translation>Manipulador para &amp;escalar</translation>
+    </message>
+    <message>
+        <source>Local a&amp;xes</source>
+        <translation>Ejes &amp;locales</translation>
+    </message>
+    <message>
+        <source>Sn&amp;ap</source>
+        <translation>Ajus&amp;te</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ke single</source>
+        <translation>&amp;Hacer único</translation>
+    </message>
+    <message>
+        <source>Move up in the list</source>
+        <translation>Subir en la lista</translation>
+    </message>
+    <message>
+        <source>Move the selected objects up by one place in the list of the scene</source>
+        <translation>Sube los objetos seleccionados un lugar en la lista de la escena</translation>
+    </message>
+    <message>
+        <source>Move down in the list</source>
+        <translation>Bajar en la lista</translation>
+    </message>
+    <message>
+        <source>Move the selected objects down by one place in the list of the scene</source>
+        <translation>Baja los objetos seleccionados un lugar en la lista de la escena</translation>
+    </message>
+    <message>
+        <source>Move out of the group</source>
+        <translation>Sacar del grupo</translation>
+    </message>
+    <message>
+        <source>Move the selected objects out of their group, behind it; they stay in place</source>
+        <translation>Saca los objetos seleccionados de su grupo, detrás de él; permanecen en su sitio</translation>
+    </message>
+    <message>
+        <source>Move into the group above</source>
+        <translation>Meter en el grupo de encima</translation>
+    </message>
+    <message>
+        <source>Move the selected objects into the group above them in the list; they stay in place</source>
+        <translation>Mete los objetos seleccionados en el grupo que está encima de ellos en la lista; permanecen en su sitio</translation>
+    </message>
+    <message>
+        <source>Order in the list</source>
+        <translation>Orden en la lista</translation>
+    </message>
+    <message>
+        <source>Mirr&amp;or</source>
+        <translation>Refle&amp;jar</translation>
+    </message>
+    <message>
+        <source>Align and distri&amp;bute</source>
+        <translation>&amp;Alinear y distribuir</translation>
     </message>
 </context>
 <context>
@@ -4861,10 +5064,6 @@ BPT_Scene  scene.grf</translation>
 <context>
     <name>editor::RenderController</name>
     <message>
-        <source>Camera &amp;follows the view</source>
-        <translation>Fi&amp;jar la cámara a la vista</translation>
-    </message>
-    <message>
         <source>Lock the render camera to the 3D view</source>
         <translation>Une la cámara de render a la vista 3D</translation>
     </message>
@@ -4877,16 +5076,8 @@ BPT_Scene  scene.grf</translation>
         <translation>Mueve la cámara de render al punto de vista de la vista 3D</translation>
     </message>
     <message>
-        <source>&amp;Look through the camera</source>
-        <translation>&amp;Mirar por la cámara</translation>
-    </message>
-    <message>
         <source>View the scene through the render camera</source>
         <translation>Muestra la escena desde la cámara de render</translation>
-    </message>
-    <message>
-        <source>Framing g&amp;uides</source>
-        <translation>&amp;Guías de encuadre</translation>
     </message>
     <message>
         <source>Draw the border of the rendered image and its thirds over the 3D view</source>
@@ -4895,6 +5086,18 @@ BPT_Scene  scene.grf</translation>
     <message>
         <source>Move the camera</source>
         <translation>Mover la cámara</translation>
+    </message>
+    <message>
+        <source>Camera follows &amp;the view</source>
+        <translation>Fi&amp;jar la cámara a la vista</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k through the camera</source>
+        <translation>&amp;Mirar por la cámara</translation>
+    </message>
+    <message>
+        <source>Framing guides</source>
+        <translation>Guías de encuadre</translation>
     </message>
 </context>
 <context>
@@ -5202,6 +5405,70 @@ BPT_Scene  scene.grf</translation>
         <source>Camera &amp;path</source>
         <translation>&amp;Recorrido de la cámara</translation>
     </message>
+    <message>
+        <source>Render effects separately</source>
+        <translation>Renderizar los efectos por separado</translation>
+    </message>
+    <message>
+        <source>Effects to render</source>
+        <translation>Efectos que se renderizan</translation>
+    </message>
+    <message>
+        <source>Each checked effect becomes a job; Space checks one</source>
+        <translation>Cada efecto marcado es una tarea; Espacio marca uno</translation>
+    </message>
+    <message>
+        <source>Queue a render per effect</source>
+        <translation>Pone en cola un render por efecto</translation>
+    </message>
+    <message>
+        <source>No effect is checked</source>
+        <translation>Ningún efecto está marcado</translation>
+    </message>
+    <message>
+        <source>Render &amp;effects separately…</source>
+        <translation>Renderizar los &amp;efectos por separado…</translation>
+    </message>
+    <message>
+        <source>Queue a render per effect that the scene has, such as textures</source>
+        <translation>Pone en cola un render por cada efecto que tiene la escena, como las texturas</translation>
+    </message>
+    <message>
+        <source>Compare with the &amp;last render</source>
+        <translation>Comparar con el ú&amp;ltimo render</translation>
+    </message>
+    <message>
+        <source>Find the effects of the scene</source>
+        <translation>Buscar los efectos de la escena</translation>
+    </message>
+    <message>
+        <source>Cancel: nothing is rendered</source>
+        <translation>Cancelar: no se renderiza nada</translation>
+    </message>
+    <message>
+        <source>The plan finds no effect to render</source>
+        <translation>El plan no encuentra ningún efecto que renderizar</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more images exist.</source>
+        <translation>%1 y %2 imágenes más ya existen.</translation>
+    </message>
+    <message>
+        <source>They were not rendered in this session. Rendering overwrites them.</source>
+        <translation>No se renderizaron en esta sesión. El render las sobrescribe.</translation>
+    </message>
+    <message>
+        <source>No render of this session has replaced an image yet: render once more</source>
+        <translation>Ningún render de esta sesión ha reemplazado una imagen todavía: renderice otra vez</translation>
+    </message>
+    <message>
+        <source>Compare the image of the last render with the one that it replaced</source>
+        <translation>Compara la imagen del último render con la que reemplazó</translation>
+    </message>
+    <message>
+        <source>Set target error</source>
+        <translation>Fijar el error objetivo</translation>
+    </message>
 </context>
 <context>
     <name>editor::RenderReport</name>
@@ -5284,10 +5551,6 @@ BPT_Scene  scene.grf</translation>
         <translation>Re&amp;gión de la vista previa</translation>
     </message>
     <message>
-        <source>Show the mode Rendered only in a rectangle that is dragged; Return takes the middle</source>
-        <translation>Muestra el modo Renderizado solo en un rectángulo que se arrastra; Intro toma el centro</translation>
-    </message>
-    <message>
         <source>&amp;Denoise the view</source>
         <translation>Re&amp;ducir el ruido de la vista</translation>
     </message>
@@ -5323,6 +5586,10 @@ BPT_Scene  scene.grf</translation>
         <source>denoised</source>
         <translation>sin ruido</translation>
     </message>
+    <message>
+        <source>Render the mode Rendered only in a rectangle that is dragged; Return takes the middle</source>
+        <translation>Calcula el modo Renderizado solo en un rectángulo que se arrastra; Intro toma el centro</translation>
+    </message>
 </context>
 <context>
     <name>editor::RendererProcess</name>
@@ -5341,6 +5608,77 @@ BPT_Scene  scene.grf</translation>
     <message>
         <source>the renderer exited with code %1</source>
         <translation>el programa de render terminó con el código %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::RiskDialog</name>
+    <message>
+        <source>Check the scene</source>
+        <translation>Comprobar la escena</translation>
+    </message>
+    <message>
+        <source>Risks of the scene</source>
+        <translation>Riesgos de la escena</translation>
+    </message>
+    <message>
+        <source>Select a risk to select its faces or its object</source>
+        <translation>Seleccione un riesgo para seleccionar sus caras o su objeto</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Qué hacer</translation>
+    </message>
+    <message>
+        <source>Result of the search for values that are not finite</source>
+        <translation>Resultado de la búsqueda de valores no finitos</translation>
+    </message>
+    <message>
+        <source>&amp;Repair</source>
+        <translation>&amp;Reparar</translation>
+    </message>
+    <message>
+        <source>Repair the selected risk, as one undo step</source>
+        <translation>Repara el riesgo seleccionado, en un solo paso de deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Find values that are not finite</source>
+        <translation>&amp;Buscar valores no finitos</translation>
+    </message>
+    <message>
+        <source>Render the scene in the background with 64 samples per pixel, and explain the first sample that is infinite or NaN</source>
+        <translation>Renderiza la escena en segundo plano con 64 muestras por píxel y explica la primera muestra infinita o NaN</translation>
+    </message>
+    <message>
+        <source>Checking the scene...</source>
+        <translation>Comprobando la escena...</translation>
+    </message>
+    <message>
+        <source>Nothing was found that can make the image wrong or noisy.</source>
+        <translation>No se ha encontrado nada que pueda hacer que la imagen sea incorrecta o ruidosa.</translation>
+    </message>
+    <message>
+        <source>1 risk was found.</source>
+        <translation>Se ha encontrado 1 riesgo.</translation>
+    </message>
+    <message>
+        <source>%1 risks were found. Those that change the image most come first.</source>
+        <translation>Se han encontrado %1 riesgos. Primero van los que más cambian la imagen.</translation>
+    </message>
+    <message>
+        <source>Repair: %1</source>
+        <translation>Reparar: %1</translation>
+    </message>
+    <message>
+        <source>Rendering...</source>
+        <translation>Renderizando...</translation>
+    </message>
+    <message>
+        <source>All %L1 samples are finite.</source>
+        <translation>Las %L1 muestras son finitas.</translation>
+    </message>
+    <message>
+        <source>%L1 of %L2 samples are not finite: %3.</source>
+        <translation>%L1 de %L2 muestras no son finitas: %3.</translation>
     </message>
 </context>
 <context>
@@ -5364,6 +5702,14 @@ BPT_Scene  scene.grf</translation>
     <message>
         <source>cd/m2</source>
         <translation>cd/m2</translation>
+    </message>
+    <message>
+        <source>Values of the layer; of three channels their luminance.</source>
+        <translation>Valores de la capa; de tres canales, su luminancia.</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
     </message>
 </context>
 <context>
@@ -5803,10 +6149,6 @@ Abra o importe un archivo, o suelte uno en la ventana.</translation>
         <translation>Deselecciona todas las caras</translation>
     </message>
     <message>
-        <source>&amp;Invert</source>
-        <translation>&amp;Invertir</translation>
-    </message>
-    <message>
         <source>Invert the selection</source>
         <translation>Invierte la selección</translation>
     </message>
@@ -5942,6 +6284,10 @@ Abra o importe un archivo, o suelte uno en la ventana.</translation>
         <source>Select occluded faces, too, with boxes, lassos, brush and polygon</source>
         <translation>Selecciona también las caras ocultas tras otras, con rectángulos, lazos, pincel y polígono</translation>
     </message>
+    <message>
+        <source>In&amp;vert</source>
+        <translation>&amp;Invertir</translation>
+    </message>
 </context>
 <context>
     <name>editor::ShaderTextView</name>
@@ -5972,6 +6318,204 @@ Abra o importe un archivo, o suelte uno en la ventana.</translation>
     <message>
         <source>This BRDF has no shader: it is shaded on the CPU.</source>
         <translation>Esta BRDF no tiene shader: se sombrea en la CPU.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::ShapeForm</name>
+    <message>
+        <source>New plane</source>
+        <translation>Plano nuevo</translation>
+    </message>
+    <message>
+        <source>New box</source>
+        <translation>Caja nueva</translation>
+    </message>
+    <message>
+        <source>New sphere</source>
+        <translation>Esfera nueva</translation>
+    </message>
+    <message>
+        <source>New cylinder</source>
+        <translation>Cilindro nuevo</translation>
+    </message>
+    <message>
+        <source>New disc</source>
+        <translation>Disco nuevo</translation>
+    </message>
+    <message>
+        <source>New torus</source>
+        <translation>Toro nuevo</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Ancho</translation>
+    </message>
+    <message>
+        <source>Width of the new shape</source>
+        <translation>Anchura de la forma nueva</translation>
+    </message>
+    <message>
+        <source>extent along x</source>
+        <translation>extensión a lo largo de x</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>Depth of the new shape</source>
+        <translation>Profundidad de la forma nueva</translation>
+    </message>
+    <message>
+        <source>extent along z</source>
+        <translation>extensión a lo largo de z</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radio</translation>
+    </message>
+    <message>
+        <source>Radius of the new shape</source>
+        <translation>Radio de la forma nueva</translation>
+    </message>
+    <message>
+        <source>distance from the axis; of a torus to the middle of its tube</source>
+        <translation>distancia al eje; en un toro, hasta el centro de su tubo</translation>
+    </message>
+    <message>
+        <source>Tube radius</source>
+        <translation>Radio del tubo</translation>
+    </message>
+    <message>
+        <source>Tube radius of the new shape</source>
+        <translation>Radio del tubo de la forma nueva</translation>
+    </message>
+    <message>
+        <source>radius of the tube of a torus</source>
+        <translation>radio del tubo de un toro</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>Height of the new shape</source>
+        <translation>Altura de la forma nueva</translation>
+    </message>
+    <message>
+        <source>extent along y</source>
+        <translation>extensión a lo largo de y</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmentos</translation>
+    </message>
+    <message>
+        <source>Segments of the new shape</source>
+        <translation>Segmentos de la forma nueva</translation>
+    </message>
+    <message>
+        <source>number of faces about the y axis; spheres and tubes have half as many across</source>
+        <translation>número de caras alrededor del eje y; las esferas y los tubos tienen la mitad a lo ancho</translation>
+    </message>
+</context>
+<context>
+    <name>editor::SkyDialog</name>
+    <message>
+        <source>Sky by place and time</source>
+        <translation>Cielo según lugar y hora</translation>
+    </message>
+    <message>
+        <source>Picture of the sky</source>
+        <translation>Imagen del cielo</translation>
+    </message>
+    <message>
+        <source>The environment map: its middle is toward -z, its right half toward +x</source>
+        <translation>El mapa de entorno: su centro está hacia -z, su mitad derecha hacia +x</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Latitud</translation>
+    </message>
+    <message>
+        <source>Latitude of the place; north is positive</source>
+        <translation>Latitud del lugar; el norte es positivo</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Longitud</translation>
+    </message>
+    <message>
+        <source>Longitude of the place; east is positive</source>
+        <translation>Longitud del lugar; el este es positivo</translation>
+    </message>
+    <message>
+        <source>Offset from UTC</source>
+        <translation>Diferencia con UTC</translation>
+    </message>
+    <message>
+        <source>Hours that the local time is ahead of UTC; with daylight saving time one more</source>
+        <translation>Horas que la hora local está adelantada respecto a UTC; con el horario de verano, una más</translation>
+    </message>
+    <message>
+        <source>Turbidity</source>
+        <translation>Turbidez</translation>
+    </message>
+    <message>
+        <source>Turbidity of the air, from clear, 2, to hazy, 6</source>
+        <translation>Turbidez del aire, de despejado, 2, a brumoso, 6</translation>
+    </message>
+    <message>
+        <source>Direction of north</source>
+        <translation>Dirección del norte</translation>
+    </message>
+    <message>
+        <source>Direction of north from -z, counter-clockwise seen from above; with 0, east is +x</source>
+        <translation>Dirección del norte desde -z, en sentido antihorario visto desde arriba; con 0, el este es +x</translation>
+    </message>
+    <message>
+        <source>The sun and its light</source>
+        <translation>El sol y su luz</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Fecha</translation>
+    </message>
+    <message>
+        <source>The day: year, month and day, from 1950 to 2050</source>
+        <translation>El día: año, mes y día, de 1950 a 2050</translation>
+    </message>
+    <message>
+        <source>Local time</source>
+        <translation>Hora local</translation>
+    </message>
+    <message>
+        <source>The local time of the day</source>
+        <translation>La hora local del día</translation>
+    </message>
+    <message>
+        <source>Set environment</source>
+        <translation>Cambiar el entorno</translation>
+    </message>
+    <message>
+        <source>Write the map as OpenEXR, and light the scene by it</source>
+        <translation>Escribe el mapa como OpenEXR e ilumina la escena con él</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Close without a map</source>
+        <translation>Cierra sin ningún mapa</translation>
+    </message>
+    <message>
+        <source>The sun is %1° below the horizon: the model is one of the day.</source>
+        <translation>El sol está %1° bajo el horizonte: el modelo es del día.</translation>
+    </message>
+    <message>
+        <source>Sun: azimuth %1° from north over east, elevation %2°. Horizontal illuminance: %3 klux by the sun, %4 klux by the sky.</source>
+        <translation>Sol: acimut %1° desde el norte por el este, elevación %2°. Iluminancia horizontal: %3 klux del sol, %4 klux del cielo.</translation>
     </message>
 </context>
 <context>
@@ -6754,16 +7298,8 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
         <translation>Muestra la cuadrícula del suelo en unidades enteras, y los ejes</translation>
     </message>
     <message>
-        <source>Face &amp;normals</source>
-        <translation>&amp;Normales de las caras</translation>
-    </message>
-    <message>
         <source>Show face normals as lines</source>
         <translation>Muestra las normales de las caras como líneas</translation>
-    </message>
-    <message>
-        <source>&amp;Vertex normals</source>
-        <translation>No&amp;rmales de los vértices</translation>
     </message>
     <message>
         <source>Show vertex normals as lines</source>
@@ -6778,48 +7314,24 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
         <translation>Encuadra toda la escena</translation>
     </message>
     <message>
-        <source>&amp;Frame selection</source>
-        <translation>&amp;Encuadrar la selección</translation>
-    </message>
-    <message>
         <source>Frame the selected faces</source>
         <translation>Encuadra las caras seleccionadas</translation>
-    </message>
-    <message>
-        <source>Fr&amp;ont</source>
-        <translation>&amp;Frente</translation>
     </message>
     <message>
         <source>Look along -z</source>
         <translation>Mira según -z</translation>
     </message>
     <message>
-        <source>&amp;Right</source>
-        <translation>&amp;Derecha</translation>
-    </message>
-    <message>
         <source>Look along -x</source>
         <translation>Mira según -x</translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation>&amp;Planta</translation>
     </message>
     <message>
         <source>Look along -y</source>
         <translation>Mira según -y</translation>
     </message>
     <message>
-        <source>Oppos&amp;ite</source>
-        <translation>Op&amp;uesta</translation>
-    </message>
-    <message>
         <source>Look from the opposite side</source>
         <translation>Mira desde el lado opuesto</translation>
-    </message>
-    <message>
-        <source>&amp;Perspective or orthographic</source>
-        <translation>Pro&amp;yección perspectiva u ortográfica</translation>
     </message>
     <message>
         <source>Toggle perspective and orthographic projection</source>
@@ -6834,10 +7346,6 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
         <translation>Modo de visualización</translation>
     </message>
     <message>
-        <source>&amp;Points</source>
-        <translation>Punto&amp;s</translation>
-    </message>
-    <message>
         <source>Only vertices</source>
         <translation>Solo vértices</translation>
     </message>
@@ -6850,32 +7358,16 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
         <translation>Solo aristas</translation>
     </message>
     <message>
-        <source>&amp;Solid</source>
-        <translation>Sólid&amp;o</translation>
-    </message>
-    <message>
         <source>Faces in their colours, lit by a headlight</source>
         <translation>Caras con sus colores, iluminadas por una luz frontal</translation>
-    </message>
-    <message>
-        <source>Solid with &amp;edges</source>
-        <translation>Sólido con &amp;aristas</translation>
     </message>
     <message>
         <source>Faces in their colours, with their edges</source>
         <translation>Caras con sus colores y con sus aristas</translation>
     </message>
     <message>
-        <source>&amp;Textured</source>
-        <translation>Con te&amp;xturas</translation>
-    </message>
-    <message>
         <source>Faces with their textures</source>
         <translation>Caras con sus texturas</translation>
-    </message>
-    <message>
-        <source>&amp;Vertex colours</source>
-        <translation>Colores de los &amp;vértices</translation>
     </message>
     <message>
         <source>The vertex colours</source>
@@ -6898,12 +7390,64 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
         <translation>Caras sombreadas con sus BRDF, iluminadas por una luz frontal y un cielo</translation>
     </message>
     <message>
-        <source>Rendere&amp;d</source>
+        <source>The renderer&apos;s preview, which follows the view and your edits</source>
+        <translation>La vista previa del renderizador, que sigue a la vista y a sus ediciones</translation>
+    </message>
+    <message>
+        <source>Poi&amp;nts</source>
+        <translation>Punto&amp;s</translation>
+    </message>
+    <message>
+        <source>So&amp;lid</source>
+        <translation>Sólid&amp;o</translation>
+    </message>
+    <message>
+        <source>&amp;Solid with edges</source>
+        <translation>Sólido con &amp;aristas</translation>
+    </message>
+    <message>
+        <source>T&amp;extured</source>
+        <translation>Con te&amp;xturas</translation>
+    </message>
+    <message>
+        <source>Vertex colo&amp;urs</source>
+        <translation>Colores de los &amp;vértices</translation>
+    </message>
+    <message>
+        <source>Ren&amp;dered</source>
         <translation>Renderi&amp;zado</translation>
     </message>
     <message>
-        <source>The renderer&apos;s preview, which follows the view and your edits</source>
-        <translation>La vista previa del renderizador, que sigue a la vista y a sus ediciones</translation>
+        <source>Face nor&amp;mals</source>
+        <translation>&amp;Normales de las caras</translation>
+    </message>
+    <message>
+        <source>Verte&amp;x normals</source>
+        <translation>No&amp;rmales de los vértices</translation>
+    </message>
+    <message>
+        <source>F&amp;rame selection</source>
+        <translation>&amp;Encuadrar la selección</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Frente</translation>
+    </message>
+    <message>
+        <source>Rig&amp;ht</source>
+        <translation>&amp;Derecha</translation>
+    </message>
+    <message>
+        <source>To&amp;p</source>
+        <translation>&amp;Planta</translation>
+    </message>
+    <message>
+        <source>&amp;Opposite</source>
+        <translation>Op&amp;uesta</translation>
+    </message>
+    <message>
+        <source>Perspecti&amp;ve or orthographic</source>
+        <translation>Pro&amp;yección perspectiva u ortográfica</translation>
     </message>
 </context>
 <context>
@@ -7125,10 +7669,6 @@ La versión anterior se sigue mostrando.</translation>
         <translation>Oculta en la vista las caras seleccionadas</translation>
     </message>
     <message>
-        <source>Hide &amp;others</source>
-        <translation>Oc&amp;ultar las demás</translation>
-    </message>
-    <message>
         <source>Hide all faces but the selected ones in the view</source>
         <translation>Oculta en la vista todas las caras salvo las seleccionadas</translation>
     </message>
@@ -7207,6 +7747,10 @@ La versión anterior se sigue mostrando.</translation>
     <message>
         <source>Forget the set; its faces stay</source>
         <translation>Olvida el conjunto; sus caras se quedan</translation>
+    </message>
+    <message>
+        <source>Hi&amp;de others</source>
+        <translation>Oc&amp;ultar las demás</translation>
     </message>
 </context>
 </TS>
