@@ -161,7 +161,7 @@ void MainWindow::make_scene_menu() {
   menu->addSeparator();
   menu->addAction(
       new_action(*this,
-                 {tr("Chec&k..."),
+                 {tr("Chec&k...Check..."),
                   {},
                   QKeySequence("Ctrl+Alt+V"),
                   tr("List what can make the image wrong or noisy, and repair it: lamps in solids, "

@@ -47,7 +47,7 @@ class Risks : public Authoring {
   }
 
   RiskDialog& open_dialog() {
-    QTest::keyClick(&window_, Qt::Key_C, Qt::ControlModifier | Qt::AltModifier);
+    QTest::keyClick(&window_, Qt::Key_V, Qt::ControlModifier | Qt::AltModifier);
     auto* dialog = window_.findChild<RiskDialog*>();
     if (dialog == nullptr || !QTest::qWaitForWindowActive(dialog)) throw std::runtime_error("no dialog");
     wait_for(*dialog);
