@@ -82,6 +82,9 @@ void add_noise(CLI::App& app, command::NoiseArguments& arguments) {
   add_scene_options(*noise, arguments.scene, arguments.flags);
   noise->add_flag("--try", arguments.tries,
                   "also measure what other sampling schemes, split counts and so on would do");
+  noise->add_option("--change", arguments.change, "measure only this change, such as BPT_Branches=4");
+  noise->add_option("--progress", arguments.progress, "json: print each result as a line when it is known")
+      ->check(CLI::IsMember({"json", "none"}));
   noise->add_flag("--json", arguments.json, "print one JSON object");
 }
 
