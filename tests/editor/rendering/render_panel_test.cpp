@@ -1,6 +1,7 @@
 #include "editor/rendering/render_panel.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QLabel>
@@ -15,6 +16,7 @@
 #include "editor/controls/number_box.h"
 #include "editor/document/document.h"
 #include "editor/document/op_document.h"
+#include "editor/image/scale_bar.h"
 #include "editor/jobs/job_list.h"
 #include "editor/rendering/error_curve.h"
 #include "editor/rendering/fitted_image.h"
@@ -107,6 +109,28 @@ TEST_F(RenderPanelTest, PreviewsByF5AndFollowsEdits) {
   EXPECT_FALSE(panel_.preview().is_on());
   EXPECT_FALSE(panel_.stop_action()->isEnabled());
   EXPECT_THAT(panel_.stop_action()->toolTip().toStdString(), HasSubstr("No render is running"));
+}
+
+TEST_F(RenderPanelTest, ShowsTheErrorOfThePreviewsPixels) {
+  open(4);
+  panel_.preview_action()->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return status().starts_with("Preview done"); }, test::Minute));
+  auto& image = *panel_.findChild<editor::FittedImage*>();
+  auto& scale = *control<editor::ScaleBar>("Scale of the error in the Render dock");
+  EXPECT_FALSE(scale.isVisible());
+  const QColor black =
+      image.grab().toImage().pixelColor(image.rect().center() - QPoint(0, image.height() / 2 - 3));
+  EXPECT_EQ(black, QColor(Qt::black)) << "above the floor is nothing";
+  control<QCheckBox>("Error of pixels")->click();
+  EXPECT_TRUE(panel_.error_action()->isChecked());
+  EXPECT_TRUE(scale.isVisible());
+  const QImage shown = image.grab().toImage();
+  // Where nothing is there is no error, the darkest blue of YlGnBu (Harrower and Brewer 2003).
+  EXPECT_EQ(shown.pixelColor(image.rect().center() - QPoint(0, image.height() / 2 - 3)), QColor(8, 29, 88));
+  EXPECT_GT(shown.pixelColor(image.rect().center()).lightness(), 100) << "four samples of the lamp";
+  panel_.error_action()->trigger();
+  EXPECT_FALSE(control<QCheckBox>("Error of pixels")->isChecked());
+  EXPECT_FALSE(scale.isVisible());
 }
 
 TEST_F(RenderPanelTest, ListsThePreviewAmongTheJobsWhileItRenders) {
