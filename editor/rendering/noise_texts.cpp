@@ -71,8 +71,8 @@ QString name_of(const NoiseShareRow& row) {
 
 QString name_of(const NoiseTrial& change) {
   if (change.option.isEmpty()) {
-    return NoiseText::tr("%1: sampled by %2 instead of %3")
-        .arg(short_brdf(change.brdf), change.value, change.before);
+    return NoiseText::tr("Sampled by %1 instead of %2: %3")
+        .arg(change.value, change.before, short_brdf(change.brdf));
   }
   return NoiseText::tr("%1: %2 instead of %3").arg(option_name(change.option), change.value, change.before);
 }

@@ -9,7 +9,7 @@ namespace editor {
 
 /// The name of a lamp, of light of some bounces, or of a BRDF with its scheme.
 QString name_of(const NoiseShareRow& row);
-/// Names a change: `Split count: 4 instead of 2`.
+/// Names a change: `Split count: 4 instead of 2`, `Sampled by own instead of diffuse: ward sx=0.1`.
 QString name_of(const NoiseTrial& change);
 /// Says what a change that was tried does, with its intervals.
 QString sentence_of(const NoiseTrial& change);

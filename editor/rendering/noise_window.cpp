@@ -9,6 +9,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "editor/controls/form_widgets.h"
@@ -56,7 +57,7 @@ NoiseWindow::NoiseWindow(Document& document, std::function<FinalRenderRequest()>
                          const QString& program, QWidget* parent)
     : QWidget(parent, Qt::Window), document_(document), request_(std::move(request)), run_(program) {
   setWindowTitle(tr("Where the noise is from - wannabe"));
-  resize(96 * Grid, 88 * Grid);
+  resize(112 * Grid, 96 * Grid);
   lay_out();
   connect(&run_, &SnapshotRun::reported, this, &NoiseWindow::read);
   connect(&run_, &SnapshotRun::ended, this, &NoiseWindow::end);
@@ -113,7 +114,9 @@ QTreeWidget* NoiseWindow::make_changes() {
          "time"),
       this);
   changes_->setRootIsDecorated(false);
-  changes_->setColumnWidth(4, 18 * Grid);
+  changes_->setItemDelegate(new ShareDelegate(changes_));
+  for (const int column : {1, 2, 3}) changes_->setColumnWidth(column, 10 * Grid);
+  changes_->setColumnWidth(4, 20 * Grid);
   connect(changes_, &QTreeWidget::itemSelectionChanged, this, &NoiseWindow::show_state);
   connect(changes_, &QTreeWidget::itemActivated, this, &NoiseWindow::try_current);
   return changes_;
@@ -252,7 +255,7 @@ void NoiseWindow::add_group(const QString& title, const std::vector<NoiseShareRo
   auto* group = new QTreeWidgetItem(shares_, {title});
   group->setFlags(Qt::ItemIsEnabled);
   for (const NoiseShareRow& row : rows) {
-    const auto percent = [](double fraction) { return tr("%1 %").arg(100 * fraction, 0, 'f', 0); };
+    const auto percent = [](double fraction) { return tr("%1 %").arg(std::lround(100 * fraction)); };
     auto* item = new QTreeWidgetItem(group, {name_of(row), percent(row.noise), percent(row.light)});
     item->setData(0, NumberRole, static_cast<int>(rows_.size()));
     item->setData(1, ShareDelegate::FractionRole, row.noise);

@@ -1,11 +1,14 @@
 #include "renderer/transport/visible_noise.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include "renderer/parallel/loops.h"
 
 namespace transport {
 namespace {
+
+constexpr std::int64_t MostPixels = std::int64_t{8192} * 4096;
 
 /// An image, and the difference of its halves with the variance of the image.
 struct HalvedImage {
@@ -21,6 +24,7 @@ struct HalvedImage {
 
 std::optional<HalvedImage> halved_image(const Render& render) {
   const Film& film = render.film();
+  if (static_cast<std::int64_t>(film.width()) * film.height() > MostPixels) return std::nullopt;
   const Image black{
       film.width(), film.height(),
       std::vector<Rgb>(static_cast<std::size_t>(film.width()) * static_cast<std::size_t>(film.height()))};

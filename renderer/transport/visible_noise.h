@@ -20,7 +20,8 @@ struct VisibleNoise {
 /// x = (a + b) / 2 differs from a and from b as much as from the truth, in distribution: (a - b) / 2 has the
 /// variance of x. So the differences between the images of x, a and b as they are seen stand for those
 /// between x and the truth. With other weights p and 1 - p of the halves, x +- sqrt(p (1 - p)) (a - b) take
-/// their place. Empty while there are pixels without samples of both halves.
+/// their place. Empty while there are pixels without samples of both halves, and for images of more than 33
+/// million pixels (8K), for the memory that it takes: 200 bytes per pixel.
 ///
 /// May be called from any thread while the render runs, and works on the threads of its settings.
 std::optional<VisibleNoise> visible_noise(const Render& render, const Viewing& viewing);
