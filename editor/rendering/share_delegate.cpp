@@ -12,6 +12,8 @@ namespace editor {
 
 void ShareDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const {
+  const QVariant fraction = index.data(FractionRole);
+  if (!fraction.isValid()) return QStyledItemDelegate::paint(painter, option, index);
   QStyleOptionViewItem plain = option;
   initStyleOption(&plain, index);
   const QString text = plain.text;
@@ -19,8 +21,6 @@ void ShareDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   const QWidget* widget = option.widget;
   (widget != nullptr ? widget->style() : QApplication::style())
       ->drawControl(QStyle::CE_ItemViewItem, &plain, painter, widget);
-  const QVariant fraction = index.data(FractionRole);
-  if (!fraction.isValid()) return;
   const Theme theme = theme_of(option.palette);
   const ThemeColours colours = colours_of(theme);
   const int text_width = option.fontMetrics.horizontalAdvance(QStringLiteral("-100 %"));

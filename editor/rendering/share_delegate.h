@@ -4,8 +4,8 @@
 
 namespace editor {
 
-/// Draws a fraction of an item's data as a bar with its percentage. Without a fraction nothing is drawn;
-/// below 0 there is no bar.
+/// Draws a fraction of an item's data as a bar beside its text; below 0 there is no bar. Items without one
+/// are drawn as usual.
 class ShareDelegate : public QStyledItemDelegate {
   Q_OBJECT
 

@@ -74,6 +74,21 @@ class Noise : public Authoring {
     list.scrollToItem(&item);
     QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualItemRect(&item).center());
   }
+  /// Whether something is drawn in a column of an item, besides its ground.
+  static bool is_drawn(QTreeWidget& list, QTreeWidgetItem& item, int column) {
+    list.scrollToItem(&item);
+    QRect place = list.visualItemRect(&item);
+    place.setLeft(list.columnViewportPosition(column));
+    place.setWidth(list.columnWidth(column));
+    const QImage image = list.viewport()->grab(place).toImage();
+    const QRgb ground = image.pixel(0, 0);
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        if (image.pixel(x, y) != ground) return true;
+      }
+    }
+    return false;
+  }
   static QTreeWidgetItem& item(QTreeWidget& list, const QString& text) {
     const auto found = list.findItems(text, Qt::MatchStartsWith | Qt::MatchRecursive);
     if (found.isEmpty()) throw std::runtime_error(text.toStdString());
@@ -107,6 +122,9 @@ TEST_F(Noise, IsSharedOutAndItsPartsAreSelected) {
     noise += lamps.child(i)->data(1, ShareDelegate::FractionRole).toDouble();
   }
   EXPECT_NEAR(noise, 1, 1e-6);
+  for (int column = 0; column < 3; ++column) {
+    EXPECT_TRUE(is_drawn(shares(), *shares().topLevelItem(0)->child(0), column)) << column;
+  }
   EXPECT_THAT(text("Advice"), HasSubstr(" of the noise and "));
 
   click(shares(), item(shares(), "Area light 1"));
@@ -165,7 +183,9 @@ TEST_F(Noise, TriesAllAndAppliesAnOption) {
   QTest::mouseClick(&button("Try all"), Qt::LeftButton);
   ASSERT_TRUE(has_ended());
   for (int i = 0; i < changes().topLevelItemCount(); ++i) {
-    EXPECT_NE(changes().topLevelItem(i)->text(4), "") << changes().topLevelItem(i)->text(0).toStdString();
+    QTreeWidgetItem& change = *changes().topLevelItem(i);
+    EXPECT_NE(change.text(4), "") << change.text(0).toStdString();
+    for (int column = 0; column < 5; ++column) EXPECT_TRUE(is_drawn(changes(), change, column)) << column;
   }
   click(changes(), item(changes(), "Split count: 4 instead of 2"));
   QTest::mouseClick(&button("Apply"), Qt::LeftButton);
