@@ -245,11 +245,17 @@ Image PreviewRender::denoised_image(int number, const Render& render, const Imag
   });
 }
 
-/// Takes the last visible noise unless it is to be measured.
+/// Takes the last visible noise unless it is to be measured. Sends nothing if the request is replaced
+/// meanwhile, whose successor does not wait.
 void PreviewRender::send_accuracy(int number, const Render& render, bool measures_visible_noise) {
   if (!listener_.accuracy) return;
-  if (measures_visible_noise) visible_noise_ = transport::visible_noise(render, viewing_);
-  const transport::ImageLayer map = {"", "", transport::error_map(render)};
+  const auto stops = [this, number] {
+    const std::lock_guard lock(lock_);
+    return is_replaced(number);
+  };
+  if (measures_visible_noise) visible_noise_ = transport::visible_noise(render, viewing_, stops);
+  const transport::ImageLayer map = {"", "", transport::error_map(render, stops)};
+  if (map.values.empty()) return;
   Image error = transport::image_of(map, render.film().width(), render.film().height());
   listener_.accuracy(number, std::make_shared<const PreviewAccuracy>(PreviewAccuracy{
                                  in_whole_image(std::move(error), render.settings()), visible_noise_}));

@@ -51,10 +51,11 @@ FilmPixels pixels_of(const Render& render) {
   return pixels;
 }
 
-KnownSums errors_of(const FilmPixels& pixels) {
+KnownSums errors_of(const FilmPixels& pixels, const std::function<bool()>& stops) {
   const TileBounds& bounds = pixels.moments.bounds;
   KnownSums sums(bounds.pixel_count());
   parallel::for_each_index(bounds.height, [&](int y) {
+    if (stops()) return;
     for (int x = 0; x < bounds.width; ++x) {
       const std::size_t pixel = pixels.moments.index_of(x, y);
       if (!pixels.are_known[pixel]) continue;
@@ -82,18 +83,18 @@ KnownSums summed(const KnownSums& sums, const TileBounds& bounds, const Imath::V
 
 }  // namespace
 
-std::vector<float> error_map(const Render& render) {
+std::vector<float> error_map(const Render& render, const std::function<bool()>& stops) {
   const FilmPixels pixels = pixels_of(render);
   const TileBounds& bounds = pixels.moments.bounds;
   std::vector<float> map(bounds.pixel_count(), std::numeric_limits<float>::infinity());
   parallel::run_with_threads(render.settings().threads, [&] {
-    const KnownSums of_rows = summed(errors_of(pixels), bounds, {1, 0});
+    const KnownSums of_rows = summed(errors_of(pixels, stops), bounds, {1, 0});
     const KnownSums sums = summed(of_rows, bounds, {0, 1});
     for (std::size_t i = 0; i < map.size(); ++i) {
       if (pixels.are_known[i]) map[i] = static_cast<float>(std::sqrt(sums.values[i] / sums.counts[i]));
     }
   });
-  return map;
+  return stops() ? std::vector<float>() : map;
 }
 
 }  // namespace transport

@@ -1,6 +1,7 @@
 // An error map shows where in an image the error is.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "renderer/transport/render.h"
@@ -17,7 +18,9 @@ constexpr int ErrorMapRadius = 2;
 /// that few samples hit. Single pixels would not do: the variance of two halves is uncertain by its own size.
 ///
 /// Pixels with less than two halves are infinite. May be called from any thread while the render runs, and
-/// works on the threads of its settings.
-std::vector<float> error_map(const Render& render);
+/// works on the threads of its settings. Empty if `stops` returns true meanwhile, which is asked on several
+/// threads.
+std::vector<float> error_map(
+    const Render& render, const std::function<bool()>& stops = [] { return false; });
 
 }  // namespace transport

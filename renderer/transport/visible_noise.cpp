@@ -41,35 +41,45 @@ std::optional<HalvedImage> halved_image(const Render& render) {
   return image;
 }
 
-/// The differences if the samples were so many that those of the halves were `factor` times as large.
-VisibleDifference difference_with(const HalvedImage& image, const SeenImage& mean, const Viewing& viewing,
-                                  float factor) {
-  std::vector<float> differences = visible_differences(seen(image.with(factor), viewing), mean);
-  const std::vector<float> others = visible_differences(seen(image.with(-factor), viewing), mean);
-  differences.insert(differences.end(), others.begin(), others.end());
+/// The differences if the samples were so many that those of the halves were `factor` times as large; empty
+/// if `stops` returns true.
+std::optional<VisibleDifference> difference_with(const HalvedImage& image, const SeenImage& mean,
+                                                 const Viewing& viewing, float factor,
+                                                 const std::function<bool()>& stops) {
+  std::vector<float> differences;
+  for (const float sign : {1.0F, -1.0F}) {
+    if (stops()) return std::nullopt;
+    const SeenImage other = seen(image.with(sign * factor), viewing);
+    if (stops()) return std::nullopt;
+    const std::vector<float> of_sign = visible_differences(other, mean);
+    differences.insert(differences.end(), of_sign.begin(), of_sign.end());
+  }
   return summary_of(std::move(differences));
 }
 
-VisibleNoise noise_of(const HalvedImage& image, const Viewing& viewing, double samples) {
+std::optional<VisibleNoise> noise_of(const HalvedImage& image, const Viewing& viewing, double samples,
+                                     const std::function<bool()>& stops) {
   const SeenImage mean = seen(image.mean, viewing);
-  VisibleNoise noise{difference_with(image, mean, viewing, 1), 0};
-  if (!(noise.difference.percentile_95 > 0)) return noise;
+  const auto difference = difference_with(image, mean, viewing, 1, stops);
+  if (!difference) return std::nullopt;
+  if (!(difference->percentile_95 > 0)) return VisibleNoise{*difference, 0};
   // Large differences are clipped or weigh less than small ones, so that a second step is needed.
-  double factor = 1 / noise.difference.percentile_95;
-  const double there = difference_with(image, mean, viewing, static_cast<float>(factor)).percentile_95;
-  if (there > 0) factor /= there;
-  noise.samples_needed = samples / (factor * factor);
-  return noise;
+  double factor = 1 / difference->percentile_95;
+  const auto there = difference_with(image, mean, viewing, static_cast<float>(factor), stops);
+  if (!there) return std::nullopt;
+  if (there->percentile_95 > 0) factor /= there->percentile_95;
+  return VisibleNoise{*difference, samples / (factor * factor)};
 }
 
 }  // namespace
 
-std::optional<VisibleNoise> visible_noise(const Render& render, const Viewing& viewing) {
+std::optional<VisibleNoise> visible_noise(const Render& render, const Viewing& viewing,
+                                          const std::function<bool()>& stops) {
   const auto image = halved_image(render);
   if (!image) return std::nullopt;
-  VisibleNoise noise;
+  std::optional<VisibleNoise> noise;
   parallel::run_with_threads(render.settings().threads,
-                             [&] { noise = noise_of(*image, viewing, render.samples_per_pixel()); });
+                             [&] { noise = noise_of(*image, viewing, render.samples_per_pixel(), stops); });
   return noise;
 }
 

@@ -1,6 +1,7 @@
 // The visible noise of a render: how far its image still looks different from the converged one.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "renderer/transport/image/visible_difference.h"
@@ -23,7 +24,9 @@ struct VisibleNoise {
 /// their place. Empty while there are pixels without samples of both halves, and for images of more than 33
 /// million pixels (8K), for the memory that it takes: 200 bytes per pixel.
 ///
-/// May be called from any thread while the render runs, and works on the threads of its settings.
-std::optional<VisibleNoise> visible_noise(const Render& render, const Viewing& viewing);
+/// May be called from any thread while the render runs, and works on the threads of its settings. Empty if
+/// `stops` returns true meanwhile, which is asked a few times.
+std::optional<VisibleNoise> visible_noise(
+    const Render& render, const Viewing& viewing, const std::function<bool()>& stops = [] { return false; });
 
 }  // namespace transport

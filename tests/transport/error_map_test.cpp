@@ -79,6 +79,12 @@ TEST(ErrorMap, IsInfiniteWhereThereAreNoTwoHalves) {
   EXPECT_EQ(map.back(), std::numeric_limits<float>::infinity());
 }
 
+TEST(ErrorMap, IsStopped) {
+  const auto scene = test::scene_of(test::LitFloor);
+  const Render render(scene, settings_of(setup_of()));
+  EXPECT_TRUE(error_map(render, [] { return true; }).empty());
+}
+
 /// The root mean square of a map over a rectangle.
 double root_mean_square(const std::vector<float>& map, const TileBounds& part) {
   double sum = 0;

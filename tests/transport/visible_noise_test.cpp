@@ -102,6 +102,13 @@ TEST_F(VisibleNoiseTest, IsNotSeenWithTheSamplesThatItNeeds) {
   }
 }
 
+TEST_F(VisibleNoiseTest, IsStopped) {
+  Render render(scene_, settings_of(setup_of(2, 1)));
+  render.run();
+  EXPECT_TRUE(visible_noise(render, {}));
+  EXPECT_FALSE(visible_noise(render, {}, [] { return true; }));
+}
+
 TEST_F(VisibleNoiseTest, IsUnknownWithoutTwoHalves) {
   Render render(scene_, settings_of(setup_of(1, 1)));
   render.run();

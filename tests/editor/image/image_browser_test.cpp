@@ -298,7 +298,7 @@ TEST_F(LayersOfImages, AreShownAtTheirOwnScalesByKeys) {
   key(Qt::Key_L);
   EXPECT_EQ(layers().currentText(), "error");
   EXPECT_EQ(browser_.pane().settings().colouring, Colouring::FalseColour);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return browser_.pane().settings().is_relative_error; }, test::Minute))
+  EXPECT_TRUE(QTest::qWaitFor([&] { return browser_.pane().settings().is_relative_error; }, 60'000))
       << "its scale is in percent";
   key(Qt::Key_L);
   EXPECT_TRUE(shows(qRgb(Half, Half, 255), qRgb(Half, 0, Half))) << "-1 is black, 0 in the middle";
