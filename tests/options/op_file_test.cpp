@@ -186,7 +186,7 @@ TEST_F(OpFile, SetsHowARenderGoesOn) {
   EXPECT_EQ(read_options->checkpoint, folder_.path("keep/it.bin"));
   EXPECT_EQ(read_options->exposure, -2.5F);
   EXPECT_EQ(read_options->layers, (std::vector<std::string>{"albedo", "variance"}));
-  EXPECT_EQ(read("Scene a.grf\nLayers all\n")->layers.size(), 5U);
+  EXPECT_EQ(read("Scene a.grf\nLayers all\n")->layers.size(), 6U);
   EXPECT_TRUE(read("Scene a.grf\nLayers none\n")->layers.empty());
 }
 
