@@ -247,8 +247,7 @@ transport::ImageFile layered(float far = 4) {
                  {"depth", "Z", {2, far}},
                  {"normal", "XYZ", {0, 0, 1, 0, -1, 0}},
                  {"samples", "", {16, 32}},
-                 {"variance", "RGB", {0.001F, 0.001F, 0.001F, 1, 1, 1}},
-                 {"error", "", {0.02F, 0.5F}}};
+                 {"variance", "RGB", {0.001F, 0.001F, 0.001F, 1, 1, 1}}};
   return file;
 }
 
@@ -284,7 +283,7 @@ class LayersOfImages : public Browser {
 
 TEST_F(LayersOfImages, AreShownAtTheirOwnScalesByKeys) {
   open_layers("a.exr", layered());
-  ASSERT_EQ(layers().count(), 7);
+  ASSERT_EQ(layers().count(), 6);
   EXPECT_TRUE(shows(qRgb(255, 0, 0), qRgb(0, 255, 0))) << "the image";
   key(Qt::Key_L);
   EXPECT_EQ(layers().currentText(), "albedo");
@@ -295,11 +294,6 @@ TEST_F(LayersOfImages, AreShownAtTheirOwnScalesByKeys) {
   EXPECT_TRUE(shows(qRgb(0, 0, 0), qRgb(255, 255, 255))) << "the least and the largest one";
   EXPECT_EQ(text_at({1, 0}), "depth 4");
   EXPECT_TRUE(text("Image statistics").contains("from 2 to 4")) << text("Image statistics").toStdString();
-  key(Qt::Key_L);
-  EXPECT_EQ(layers().currentText(), "error");
-  EXPECT_EQ(browser_.pane().settings().colouring, Colouring::FalseColour);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return browser_.pane().settings().is_relative_error; }, 60'000))
-      << "its scale is in percent";
   key(Qt::Key_L);
   EXPECT_TRUE(shows(qRgb(Half, Half, 255), qRgb(Half, 0, Half))) << "-1 is black, 0 in the middle";
   EXPECT_EQ(text_at({1, 0}), "X 0  Y -1  Z 0");
@@ -348,7 +342,7 @@ TEST_F(LayersOfImages, AreSavedWithTheImageOrAsOne) {
   browser_.save_as(QString::fromStdString(folder_.path("whole.exr")));
   ASSERT_TRUE(saved.wait());
   grf::Diagnostics diagnostics;
-  EXPECT_EQ(transport::read_image_file(folder_.path("whole.exr"), diagnostics)->layers.size(), 6U);
+  EXPECT_EQ(transport::read_image_file(folder_.path("whole.exr"), diagnostics)->layers.size(), 5U);
   browser_.select_layer("depth");
   browser_.save_as(QString::fromStdString(folder_.path("depth.pfm")));
   ASSERT_TRUE(saved.wait());
