@@ -35,4 +35,11 @@ inline Vec3d srgb_of_xyz(const Vec3d& xyz) {
           0.0556434 * xyz.x - 0.2040259 * xyz.y + 1.0572252 * xyz.z};
 }
 
+/// The inverse of `srgb_of_xyz`.
+inline Vec3d xyz_of_srgb(const Vec3d& rgb) {
+  return {0.4124564 * rgb.x + 0.3575761 * rgb.y + 0.1804375 * rgb.z,
+          0.2126729 * rgb.x + 0.7151522 * rgb.y + 0.0721750 * rgb.z,
+          0.0193339 * rgb.x + 0.1191920 * rgb.y + 0.9503041 * rgb.z};
+}
+
 }  // namespace grf

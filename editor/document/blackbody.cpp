@@ -29,13 +29,6 @@ Vec3d xyz_of(double kelvin) {
   return xyz / xyz.y;
 }
 
-// IEC 61966-2-1, with white D65.
-Vec3d xyz_of_rgb(const Vec3d& rgb) {
-  return {0.4124564 * rgb.x + 0.3575761 * rgb.y + 0.1804375 * rgb.z,
-          0.2126729 * rgb.x + 0.7151522 * rgb.y + 0.0721750 * rgb.z,
-          0.0193339 * rgb.x + 0.1191920 * rgb.y + 0.9503041 * rgb.z};
-}
-
 double chromaticity_distance(const Vec3d& colour, double kelvin) {
   return (chromaticity_of(colour) - chromaticity_of(blackbody_colour(kelvin))).length();
 }
@@ -45,11 +38,11 @@ double chromaticity_distance(const Vec3d& colour, double kelvin) {
 Vec3d blackbody_colour(double kelvin) {
   Vec3d rgb = grf::srgb_of_xyz(xyz_of(kelvin));
   for (int channel = 0; channel < 3; ++channel) rgb[channel] = std::max(rgb[channel], 0.0);
-  return rgb / xyz_of_rgb(rgb).y;
+  return rgb / grf::xyz_of_srgb(rgb).y;
 }
 
 grf::Vec2d chromaticity_of(const Vec3d& colour) {
-  const Vec3d xyz = xyz_of_rgb(colour);
+  const Vec3d xyz = grf::xyz_of_srgb(colour);
   const double sum = xyz.x + xyz.y + xyz.z;
   return {xyz.x / sum, xyz.y / sum};
 }

@@ -23,7 +23,8 @@ void ScaleBar::set_settings(const ScreenSettings& settings) {
           ? tr("Signed difference: luminance of the image minus that of the reference, W/(sr m2).")
       : settings.is_radiance
           ? tr("Luminance in cd/m2: the luminance of the radiance, times %1 lm/W.").arg(CandelasPerWatt)
-          : tr("Values of the layer; of three channels their luminance."));
+      : settings.is_relative_error ? tr("Relative standard error of the pixels.")
+                                   : tr("Values of the layer; of three channels their luminance."));
   update();
 }
 
@@ -32,7 +33,7 @@ std::vector<ScaleBar::Tick> ScaleBar::ticks() const {
     const double largest = colours_.scale().highest();
     return {{0, text_of(-largest)}, {0.5, "0"}, {1, "+" + text_of(largest)}};
   }
-  const double unit = settings_.is_radiance ? CandelasPerWatt : 1;
+  const double unit = settings_.is_radiance ? CandelasPerWatt : settings_.is_relative_error ? 100 : 1;
   const double low = colours_.scale().lowest() * unit;
   const double high = colours_.scale().highest() * unit;
   const double range = std::log10(high / low);
@@ -63,6 +64,7 @@ void ScaleBar::paintEvent(QPaintEvent*) {
   painter.setPen(colours.faint_text);
   const QString unit = settings_.colouring == Colouring::Signed ? tr("A - B")
                        : settings_.is_radiance                  ? tr("cd/m2")
+                       : settings_.is_relative_error            ? tr("error, %")
                                                                 : tr("value");
   painter.drawText(QRect(0, 0, width(), text), Qt::AlignHCenter, unit);
   const QRectF bar(Grid, 2.0 * text, 2.0 * Grid, height() - 3.0 * text);

@@ -38,7 +38,8 @@ struct ScreenSettings {
   /// The values that are black and white, before exposure.
   float black = 0;
   float white = 1;
-  bool is_radiance = true;  ///< false for layers such as a depth, whose luminance is not in cd/m2
+  bool is_radiance = true;         ///< false for layers such as a depth, whose luminance is not in cd/m2
+  bool is_relative_error = false;  ///< labels the scale in percent
 
   bool operator==(const ScreenSettings&) const = default;
 };

@@ -28,12 +28,14 @@ void update_shown(const ImageEntry& entry, const QString& layer, ShownImage& sho
 
 ScreenSettings default_settings(const QString& layer) {
   ScreenSettings settings;
-  if (layer.section('.', -1) == "variance") settings.colouring = Colouring::FalseColour;
+  const QString name = layer.section('.', -1);
+  if (name == "variance" || name == "error") settings.colouring = Colouring::FalseColour;
   return settings;
 }
 
 void fit_range(const ShownImage& shown, const ImageStatistics& statistics, ScreenSettings& settings) {
   settings.is_radiance = shown.layer.isEmpty();
+  settings.is_relative_error = shown.layer.section('.', -1) == "error" && shown.channels.isEmpty();
   if (settings.is_radiance || shown.channels.startsWith('R')) return;
   const float least = statistics.least_value;
   const float largest = statistics.largest_value;

@@ -19,8 +19,8 @@ struct ShownImage {
 /// Shows an entry, or its layer of this name. A layer that is shown already is not converted again.
 void update_shown(const ImageEntry& entry, const QString& layer, ShownImage& shown);
 
-/// The settings that display a layer until they are changed: false colours for a variance, whose values
-/// differ by magnitudes.
+/// The settings that display a layer until they are changed: false colours for a variance or an error,
+/// whose values differ by magnitudes.
 ScreenSettings default_settings(const QString& layer);
 
 /// Sets the values of a layer that are black and white: 0 and 1 for colours, equal distances from 0 for

@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
 #include "editor/appearance/theme.h"
 #include "renderer/transport/image/srgb.h"
@@ -29,7 +30,19 @@ reflectance::Rgb covered(const transport::Image& image, int x, int y, const QSiz
 
 }  // namespace
 
-QImage fitted(const transport::Image& image, const QSize& pixels) {
+ScreenSettings error_screen_settings() {
+  ScreenSettings settings;
+  settings.colouring = Colouring::FalseColour;
+  settings.is_radiance = false;
+  settings.is_relative_error = true;
+  settings.least = 0.001;
+  settings.largest = 1;
+  return settings;
+}
+
+QImage fitted(const transport::Image& image, const QSize& pixels, const transport::Image* error) {
+  const bool has_error = error != nullptr && error->width == image.width && error->height == image.height;
+  const ScreenColours false_colours(error_screen_settings());
   const QSize size = QSize(image.width, image.height).scaled(pixels, Qt::KeepAspectRatio).expandedTo({1, 1});
   QImage result(size, QImage::Format_RGB32);
   for (int y = 0; y < size.height(); ++y) {
@@ -38,6 +51,9 @@ QImage fitted(const transport::Image& image, const QSize& pixels) {
       const reflectance::Rgb colour = covered(image, x, y, size);
       line[x] = qRgb(transport::to_srgb_byte(colour.x), transport::to_srgb_byte(colour.y),
                      transport::to_srgb_byte(colour.z));
+      if (!has_error) continue;
+      const reflectance::Rgb there = covered(*error, x, y, size);
+      if (std::isfinite(there.x)) line[x] = false_colours(there);
     }
   }
   return result;
@@ -50,10 +66,18 @@ FittedImage::FittedImage(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void FittedImage::set_image(std::shared_ptr<const transport::Image> image) {
+void FittedImage::set_image(std::shared_ptr<const transport::Image> image,
+                            std::shared_ptr<const transport::Image> error) {
   image_ = std::move(image);
+  error_ = std::move(error);
   drawn_ = QImage();
   setCursor(image_ ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  update();
+}
+
+void FittedImage::set_error_shown(bool is_shown) {
+  is_error_shown_ = is_shown;
+  drawn_ = QImage();
   update();
 }
 
@@ -72,7 +96,7 @@ void FittedImage::paintEvent(QPaintEvent*) {
   if (image_ && !image_->pixels.empty()) {
     const QSize pixels = size() * devicePixelRatioF();
     const bool fits = drawn_.size().scaled(pixels, Qt::KeepAspectRatio) == drawn_.size();
-    if (drawn_.isNull() || !fits) drawn_ = fitted(*image_, pixels);
+    if (drawn_.isNull() || !fits) drawn_ = fitted(*image_, pixels, is_error_shown_ ? error_.get() : nullptr);
     drawn_.setDevicePixelRatio(devicePixelRatioF());
     const QSizeF drawn = drawn_.deviceIndependentSize();
     painter.drawImage(QPointF((width() - drawn.width()) / 2, (height() - drawn.height()) / 2), drawn_);

@@ -5,12 +5,18 @@
 #include <QWidget>
 #include <memory>
 
+#include "editor/image/screen_colours.h"
 #include "renderer/transport/image/image.h"
 
 namespace editor {
 
-/// Converts an image to sRGB, downscaled to fit into `pixels` with its aspect ratio.
-QImage fitted(const transport::Image& image, const QSize& pixels);
+/// The fixed scale on which the relative error of pixels is shown in false colours: so they darken as it
+/// falls.
+ScreenSettings error_screen_settings();
+
+/// Converts an image to sRGB, downscaled to fit into `pixels` with its aspect ratio. Where the relative error
+/// of its pixels is given and finite, that is shown instead.
+QImage fitted(const transport::Image& image, const QSize& pixels, const transport::Image* error = nullptr);
 
 /// Displays an image scaled to fit. A click or Return requests to open it.
 class FittedImage : public QWidget {
@@ -19,8 +25,11 @@ class FittedImage : public QWidget {
  public:
   explicit FittedImage(QWidget* parent = nullptr);
 
-  /// Sets the image; null shows none.
-  void set_image(std::shared_ptr<const transport::Image> image);
+  /// Sets the image and the relative error of its pixels, if that is known; null shows none.
+  void set_image(std::shared_ptr<const transport::Image> image,
+                 std::shared_ptr<const transport::Image> error = nullptr);
+  /// Shows the error in place of the image, where it is known.
+  void set_error_shown(bool is_shown);
   const std::shared_ptr<const transport::Image>& image() const { return image_; }
   /// Sets the text shown while there is no image.
   void set_hint(const QString& hint);
@@ -38,6 +47,8 @@ class FittedImage : public QWidget {
 
  private:
   std::shared_ptr<const transport::Image> image_;
+  std::shared_ptr<const transport::Image> error_;
+  bool is_error_shown_ = false;
   QImage drawn_;  ///< cache for the last painted size; null before the first painting
   QString hint_;
 };

@@ -35,6 +35,12 @@ job::PreviewListener Preview::listener() {
     pending_.progress = progress;
     if (!is_posted) QMetaObject::invokeMethod(this, &Preview::take_image, Qt::QueuedConnection);
   };
+  // Its image follows.
+  listener.accuracy = [this](int request, auto accuracy) {
+    const std::lock_guard lock(pending_.lock);
+    pending_.accuracy = std::move(accuracy);
+    pending_.accuracy_request = request;
+  };
   listener.diagnostics = [this](int request, const grf::Diagnostics& diagnostics) {
     QMetaObject::invokeMethod(
         this,
@@ -64,6 +70,7 @@ void Preview::start(job::PreviewRequest request) {
   abandon_timer_.stop();
   is_on_ = true;
   has_shown_ = false;
+  accuracy_.reset();
   state_ = PreviewState::Preparing;
   region_ = request.region;
   request_ = render_.start(std::move(request));
@@ -94,13 +101,18 @@ void Preview::take_image() {
   int request = 0;
   std::shared_ptr<const transport::Image> image;
   transport::RenderProgress progress;
+  std::shared_ptr<const job::PreviewAccuracy> accuracy;
+  int accuracy_request = 0;
   {
     const std::lock_guard lock(pending_.lock);
     request = pending_.request;
     image = std::exchange(pending_.image, nullptr);
     progress = pending_.progress;
+    accuracy = std::exchange(pending_.accuracy, nullptr);
+    accuracy_request = pending_.accuracy_request;
   }
   if (!is_on_ || request != request_) return;
+  if (accuracy && accuracy_request == request) accuracy_ = std::move(accuracy);
   image_ = std::move(image);
   image_region_ = region_;
   has_shown_ = true;

@@ -32,6 +32,8 @@ class Preview : public QObject {
   bool is_paused() const { return is_on_ && state_ == job::PreviewState::Paused; }
   /// The last image; null before the first.
   const std::shared_ptr<const transport::Image>& image() const { return image_; }
+  /// The last accuracy that was measured of the current request; null before the first.
+  const std::shared_ptr<const job::PreviewAccuracy>& accuracy() const { return accuracy_; }
   /// The region that the last image is limited to; empty: none.
   const std::optional<job::PreviewRegion>& region() const { return image_region_; }
 
@@ -49,6 +51,8 @@ class Preview : public QObject {
     std::mutex lock;
     int request = 0;
     std::shared_ptr<const transport::Image> image;
+    std::shared_ptr<const job::PreviewAccuracy> accuracy;  ///< null: no new one
+    int accuracy_request = 0;
     transport::RenderProgress progress;
   };
 
@@ -63,6 +67,7 @@ class Preview : public QObject {
   bool has_shown_ = false;  ///< an image of the current request
   job::PreviewState state_ = job::PreviewState::Done;
   std::shared_ptr<const transport::Image> image_;
+  std::shared_ptr<const job::PreviewAccuracy> accuracy_;
   std::optional<job::PreviewRegion> region_;  ///< of the current request
   std::optional<job::PreviewRegion> image_region_;
   std::optional<job::PreviewRequest> waiting_;

@@ -52,7 +52,8 @@ RenderPanel::RenderPanel(Document& document, JobList& jobs, const QString& progr
       jobs_(jobs),
       options_(document.options()),
       final_(program),
-      forecast_(program) {
+      forecast_(program),
+      program_(program) {
   make_actions();
   lay_out();
   connect_preview();
@@ -96,6 +97,7 @@ void RenderPanel::make_actions() {
   stop_action_ = make("stop", tr("Stop"), Qt::SHIFT | Qt::Key_F5, &RenderPanel::stop);
   options_action_ = make("options", tr("Options…"), {}, &RenderPanel::options_requested);
   options_action_->setToolTip(tr("All render options, with their meanings"));
+  make_accuracy_actions();
 }
 
 QWidget* RenderPanel::make_controls() {
@@ -119,6 +121,14 @@ QWidget* RenderPanel::make_controls() {
   without_hidden_->setToolTip(
       tr("Preview the scene without the faces that are hidden in the 3D view; final renders have all faces"));
   connect(without_hidden_, &QCheckBox::toggled, this, &RenderPanel::follow);
+  auto* shows_error = new QCheckBox(tr("Error of &pixels"), controls);
+  shows_error->setAccessibleName(tr("Error of pixels"));
+  shows_error->setToolTip(error_action_->toolTip());
+  connect(shows_error, &QCheckBox::toggled, error_action_, &QAction::setChecked);
+  connect(error_action_, &QAction::toggled, shows_error, &QCheckBox::setChecked);
+  auto* switches = new QHBoxLayout;
+  switches->addWidget(without_hidden_);
+  switches->addWidget(shows_error);
   progress_ = new QProgressBar(controls);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
@@ -130,12 +140,14 @@ QWidget* RenderPanel::make_controls() {
   status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   column->addLayout(buttons);
   column->addWidget(settings_);
-  column->addWidget(without_hidden_);
+  column->addLayout(switches);
   forecast_row_ = new ForecastRow(controls);
   column->addWidget(forecast_row_);
   column->addStretch();
   column->addWidget(progress_);
   column->addWidget(status_);
+  visible_noise_ = make_visible_noise(controls);
+  column->addWidget(visible_noise_);
   return controls;
 }
 
@@ -164,8 +176,7 @@ void RenderPanel::lay_out() {
   auto* parts = new QSplitter(Qt::Horizontal, this);
   parts->setChildrenCollapsible(false);
   parts->setHandleWidth(Grid);
-  image_ = new FittedImage(parts);
-  image_->set_hint(tr("Press F5 for a preview that follows your edits, F6 to render the final image"));
+  parts->addWidget(make_picture());
   auto* course = new QSplitter(Qt::Vertical, parts);
   course->setChildrenCollapsible(false);
   course->setHandleWidth(Grid);
@@ -190,6 +201,7 @@ void RenderPanel::connect_final() {
     curve_->clear();
     log_->clear();
     log(tr("Rendering %1").arg(output));
+    show_visible_noise({});
     show_progress(0, {}, {});
     update_actions();
   });
@@ -220,6 +232,7 @@ void RenderPanel::finish(const FinalRenderResult& result) {
   std::erase_if(replacements_, [&](const auto& former) { return former.image == result.image; });
   if (!result.former.isEmpty()) replacements_.push_back(result);
   if (!result.is_stopped) progress_->setValue(progress_->maximum());
+  show_visible_noise(result.summary.visible_noise);
   QString text = result.is_stopped ? tr("Stopped, image kept") : tr("Done");
   text += " · " + tr("%1 samples").arg(result.summary.samples, 0, 'g', 4) + " · " +
           duration_text(result.summary.seconds);

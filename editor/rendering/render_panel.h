@@ -26,9 +26,11 @@ class FittedImage;
 class ForecastRow;
 class Job;
 class JobList;
+class NoiseWindow;
 class OpDocument;
 class RenderHistory;
 class RenderSettingsRow;
+class ScaleBar;
 struct EffectRender;
 
 /// A preview in a 3D view replaces the size and the camera of the render options by these.
@@ -76,6 +78,10 @@ class RenderPanel : public QWidget {
   QAction* compare_action() const { return compare_action_; }
   QAction* stop_action() const { return stop_action_; }
   QAction* options_action() const { return options_action_; }
+  /// Opens the window that shows where the noise is from.
+  QAction* noise_action() const { return noise_action_; }
+  /// Switches the preview, here and in a view, from its colours to the relative error of its pixels.
+  QAction* error_action() const { return error_action_; }
 
  signals:
   /// Emitted before a preview starts, which shows what the document has then.
@@ -98,6 +104,7 @@ class RenderPanel : public QWidget {
   void make_actions();
   void lay_out();
   QWidget* make_controls();
+  QWidget* make_picture();
   QPlainTextEdit* make_log();
   void connect_preview();
   void connect_final();
@@ -106,6 +113,10 @@ class RenderPanel : public QWidget {
   void follow_forecast();
   void show_forecast_options();
   void make_forecast();
+  void make_accuracy_actions();
+  void show_noise();
+  QLabel* make_visible_noise(QWidget* parent);
+  void show_visible_noise(const std::optional<VisibleNoiseReport>& noise);
   void list_preview(job::PreviewState state);
   void toggle_preview();
   void restart_preview();
@@ -158,12 +169,16 @@ class RenderPanel : public QWidget {
   QAction* compare_action_;
   QAction* stop_action_;
   QAction* options_action_;
+  QAction* error_action_;
+  QAction* noise_action_;
   RenderSettingsRow* settings_;
   QCheckBox* without_hidden_;
   ForecastRow* forecast_row_;
   QProgressBar* progress_;
   QLabel* status_;
+  QLabel* visible_noise_;
   FittedImage* image_;
+  ScaleBar* error_scale_;
   ErrorCurve* curve_;
   QPlainTextEdit* log_;
   RenderHistory* history_;
@@ -171,6 +186,8 @@ class RenderPanel : public QWidget {
   Preview preview_;
   FinalRender final_;
   RenderForecast forecast_;
+  const QString program_;
+  QPointer<NoiseWindow> noise_window_;
   QTimer forecast_timer_;  ///< runs while edits may follow
 };
 

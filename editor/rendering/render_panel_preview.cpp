@@ -21,15 +21,25 @@ namespace {
 
 const QString PreviewQueue = QStringLiteral("preview");
 
+std::optional<VisibleNoiseReport> report_of(const job::PreviewAccuracy& accuracy) {
+  if (!accuracy.visible_noise) return std::nullopt;
+  return VisibleNoiseReport{accuracy.visible_noise->difference.percentile_95,
+                            accuracy.visible_noise->samples_needed};
+}
+
 }  // namespace
 
 void RenderPanel::connect_preview() {
   connect(&preview_, &Preview::image_changed, this,
           [this](const auto& image, const transport::RenderProgress& progress) {
             if (final_.is_running()) return;
+            if (preview_.accuracy()) show_visible_noise(report_of(*preview_.accuracy()));
             if (!preview_view_) {  // which shows it itself
               image_path_.clear();
-              image_->set_image(image);
+              const auto& accuracy = preview_.accuracy();
+              image_->set_image(
+                  image,
+                  accuracy ? std::shared_ptr<const transport::Image>(accuracy, &accuracy->error) : nullptr);
             }
             if (progress.estimated_error && progress.done > 0) {
               curve_->add(progress.seconds, *progress.estimated_error);
@@ -134,6 +144,7 @@ void RenderPanel::restart_preview() {
     return preview_.stop();
   }
   curve_->clear();
+  show_visible_noise({});
   show_status(tr("Preview"));
   previewed_options_ = preview_options();
   hiding_.stop();

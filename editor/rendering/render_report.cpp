@@ -4,6 +4,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 #include <cmath>
 
 namespace editor {
@@ -26,6 +27,13 @@ std::vector<ForecastTime> forecasts(const QJsonObject& object) {
     if (target > 0) times.push_back({target, number(forecast, "seconds"), bound(0), bound(1)});
   }
   return times;
+}
+
+std::optional<VisibleNoiseReport> visible_noise(const QJsonObject& summary) {
+  const QJsonObject noise = summary.value(QLatin1String("visible_difference")).toObject();
+  const auto percentile = number(noise, "percentile_95");
+  if (!percentile) return std::nullopt;
+  return VisibleNoiseReport{*percentile, number(noise, "samples_needed").value_or(0)};
 }
 
 class ReportText {
@@ -51,8 +59,11 @@ std::optional<RenderSummary> render_summary_of(const QByteArray& line) {
   const auto samples = number(object, "samples");
   if (!samples || !object.contains(QLatin1String("output"))) return std::nullopt;
   return RenderSummary{static_cast<int>(number(object, "width").value_or(0)),
-                       static_cast<int>(number(object, "height").value_or(0)), *samples,
-                       number(object, "render_seconds").value_or(0), number(object, "estimated_error")};
+                       static_cast<int>(number(object, "height").value_or(0)),
+                       *samples,
+                       number(object, "render_seconds").value_or(0),
+                       number(object, "estimated_error"),
+                       visible_noise(object)};
 }
 
 std::optional<BakeSummary> bake_summary_of(const QByteArray& line) {
@@ -70,6 +81,17 @@ QString duration_text(double seconds) {
   const auto two_digits = [](long value) { return QStringLiteral("%1").arg(value, 2, 10, QChar('0')); };
   if (whole < 3600) return ReportText::tr("%1 min %2 s").arg(whole / 60).arg(two_digits(whole % 60));
   return ReportText::tr("%1 h %2 min").arg(whole / 3600).arg(two_digits(whole % 3600 / 60));
+}
+
+QString visible_noise_text(const VisibleNoiseReport& noise) {
+  const QString difference = QString::number(noise.percentile_95, 'f', noise.percentile_95 < 10 ? 1 : 0);
+  if (noise.percentile_95 < 1) return ReportText::tr("The eye sees no noise: ΔE %1").arg(difference);
+  const double digits = std::pow(10, std::floor(std::log10(std::max(noise.samples_needed, 1.0))) - 1);
+  const double rounded =
+      digits < 1 ? noise.samples_needed : std::round(noise.samples_needed / digits) * digits;
+  return ReportText::tr("The eye sees noise: ΔE %1, until about %2 samples")
+      .arg(difference)
+      .arg(rounded, 0, 'f', 0);
 }
 
 QString percent_text(double fraction) { return ReportText::tr("%1 %").arg(100 * fraction, 0, 'g', 3); }

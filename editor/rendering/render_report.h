@@ -26,6 +26,12 @@ struct RenderReport {
   std::vector<ForecastTime> forecasts;    ///< of the whole render; empty while there are none
 };
 
+/// What is visible of an image's noise, see transport::VisibleNoise.
+struct VisibleNoiseReport {
+  double percentile_95 = 0;   ///< of the differences, in units of CIEDE2000
+  double samples_needed = 0;  ///< per pixel, until it is not seen
+};
+
 /// Summary of a render.
 struct RenderSummary {
   int width = 0;  ///< pixels
@@ -33,6 +39,7 @@ struct RenderSummary {
   double samples = 0;  ///< per pixel
   double seconds = 0;
   std::optional<double> estimated_error;
+  std::optional<VisibleNoiseReport> visible_noise = {};
 };
 
 /// Summary of a bake of irradiance.
@@ -52,6 +59,8 @@ std::optional<BakeSummary> bake_summary_of(const QByteArray& line);
 
 /// Formats a duration: `12 s`, `4 min 05 s`, `2 h 07 min`.
 QString duration_text(double seconds);
+/// Says what is visible of the noise, and from how many samples on nothing is.
+QString visible_noise_text(const VisibleNoiseReport& noise);
 /// Formats a fraction in percent with three digits: `1.25 %`.
 QString percent_text(double fraction);
 

@@ -75,6 +75,8 @@ void MainWindow::make_menus() {
   render->addSeparator();
   rendered_mode_->fill(*render);
   render->addSeparator();
+  render->addAction(render_->noise_action());
+  render->addSeparator();
   render->addAction(render_->options_action());
   image_menu_ = add_menu(*menuBar(), tr("&Image"));
   make_window_menu();

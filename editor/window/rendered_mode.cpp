@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "editor/appearance/theme.h"
 #include "editor/controls/actions.h"
+#include "editor/image/scale_bar.h"
 #include "editor/rendering/fitted_image.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
@@ -22,10 +24,10 @@ const QRectF MiddleRegion(0.25, 0.25, 0.5, 0.5);
 /// Fractions of the view; a smaller drag chooses no region.
 constexpr double LeastRegionSide = 0.01;
 
-/// Converts an image for the screen, transparent outside the region.
-std::shared_ptr<const QImage> screen_image(const transport::Image& image,
+/// Converts an image, or its error if that is not null, for the screen, transparent outside the region.
+std::shared_ptr<const QImage> screen_image(const transport::Image& image, const transport::Image* error,
                                            const std::optional<job::PreviewRegion>& region) {
-  const QImage whole = fitted(image, {image.width, image.height});
+  const QImage whole = fitted(image, {image.width, image.height}, error);
   if (!region) return std::make_shared<const QImage>(whole);
   auto limited = std::make_shared<QImage>(whole.size(), QImage::Format_ARGB32_Premultiplied);
   limited->fill(Qt::transparent);
@@ -39,8 +41,16 @@ std::shared_ptr<const QImage> screen_image(const transport::Image& image,
 }  // namespace
 
 RenderedMode::RenderedMode(SceneView& view, RenderPanel& panel, QWidget& window)
-    : QObject(&window), view_(view), panel_(panel) {
+    : QObject(&window), view_(view), panel_(panel), error_scale_(new ScaleBar(&view)) {
   make_actions(window);
+  error_scale_->setAccessibleName(tr("Scale of the error in the view"));
+  error_scale_->set_settings(error_screen_settings());
+  error_scale_->setAutoFillBackground(true);
+  error_scale_->hide();
+  connect(panel_.error_action(), &QAction::toggled, this, [this] {
+    convert();
+    show_note();
+  });
   view_.installEventFilter(this);
   connect(&view_, &SceneView::view_changed, this, &RenderedMode::follow_view);
   Preview& preview = panel_.preview();
@@ -71,7 +81,7 @@ void RenderedMode::make_actions(QWidget& window) {
                         false, [this](bool) { follow_view(); });
 }
 
-void RenderedMode::fill(QMenu& menu) { menu.addActions({limit_, denoise_}); }
+void RenderedMode::fill(QMenu& menu) { menu.addActions({limit_, denoise_, panel_.error_action()}); }
 
 bool RenderedMode::is_on() const { return view_.mode() == DisplayMode::Rendered; }
 
@@ -109,8 +119,30 @@ void RenderedMode::convert() {
   if (conversion_.isRunning() || !waiting_) return;
   // Until there is an image of a smaller region, the last one is limited; one of a larger region comes soon.
   const auto region = region_ ? preview_region() : panel_.preview().region();
-  conversion_.setFuture(QtConcurrent::run(
-      [image = std::exchange(waiting_, nullptr), region] { return screen_image(*image, region); }));
+  conversion_.setFuture(QtConcurrent::run([image = std::exchange(waiting_, nullptr), error = shown_error(),
+                                           region] { return screen_image(*image, error.get(), region); }));
+}
+
+/// Null if it is not shown, or not known yet.
+RenderedMode::SharedImage RenderedMode::shown_error() const {
+  const auto& accuracy = panel_.preview().accuracy();
+  if (!panel_.error_action()->isChecked() || !accuracy) return nullptr;
+  return {accuracy, &accuracy->error};
+}
+
+/// Shows the scale at the right of the view, below the note.
+void RenderedMode::show_error_scale() {
+  const bool is_shown = is_on() && panel_.error_action()->isChecked() && !view_.camera().is_orthographic();
+  error_scale_->setVisible(is_shown);
+  if (!is_shown) return;
+  const int top = 5 * Grid;
+  const QSize size(error_scale_->sizeHint().width(), std::min(40 * Grid, view_.height() - top - Grid));
+  error_scale_->setGeometry({{view_.width() - size.width() - Grid, top}, size});
+  QPalette palette = view_.palette();
+  QColor ground = colours_of(theme_of(palette)).window;
+  ground.setAlphaF(0.85F);
+  palette.setColor(QPalette::Window, ground);
+  error_scale_->setPalette(palette);
 }
 
 void RenderedMode::show_converted() {
@@ -120,6 +152,7 @@ void RenderedMode::show_converted() {
 
 void RenderedMode::show_note() {
   using job::PreviewState;
+  show_error_scale();
   if (is_choosing_)
     return view_.set_note(tr("Drag the region to render, Return: the middle, Escape: cancel"));
   if (!is_on()) return view_.set_note({});
@@ -129,7 +162,9 @@ void RenderedMode::show_note() {
   QString note = !preview.is_on()      ? tr("Rendered: stopped")
                  : preview.is_paused() ? tr("Rendered: paused") + " · " + percent
                                        : tr("Rendered") + " · " + percent;
-  if (denoise_->isChecked()) note += " · " + tr("denoised");
+  const bool shows_error = panel_.error_action()->isChecked();
+  if (shows_error) note += " · " + (preview.accuracy() ? tr("error of pixels") : tr("measuring the error"));
+  if (denoise_->isChecked() && !(shows_error && preview.accuracy())) note += " · " + tr("denoised");
   view_.set_note(note);
 }
 

@@ -20,10 +20,12 @@ class QWidget;
 namespace editor {
 
 class RenderPanel;
+class ScaleBar;
 class SceneView;
 
 /// The display mode Rendered of a 3D view: shows the preview of the Render dock in the view, at its size and
-/// from its camera, while the mode is on. A rectangle may limit what is rendered and shown.
+/// from its camera, while the mode is on: its colours, or the error of its pixels. A rectangle may limit
+/// what is rendered and shown.
 class RenderedMode : public QObject {
   Q_OBJECT
 
@@ -49,6 +51,8 @@ class RenderedMode : public QObject {
   void follow_view();
   void take(const SharedImage& image, const transport::RenderProgress& progress);
   void convert();
+  SharedImage shown_error() const;
+  void show_error_scale();
   std::optional<job::PreviewRegion> preview_region() const;
   void show_converted();
   void show_note();
@@ -61,6 +65,7 @@ class RenderedMode : public QObject {
   RenderPanel& panel_;
   QAction* limit_ = nullptr;
   QAction* denoise_ = nullptr;
+  ScaleBar* error_scale_;  ///< over the view
   std::optional<QRectF> region_;
   bool is_choosing_ = false;           ///< the region
   std::optional<QPointF> pressed_at_;  ///< where the drag of the region began

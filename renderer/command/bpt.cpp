@@ -81,7 +81,10 @@ void add_noise(CLI::App& app, command::NoiseArguments& arguments) {
       app.add_subcommand("noise", "Show which lamps, bounces and BRDFs the noise of an image comes from");
   add_scene_options(*noise, arguments.scene, arguments.flags);
   noise->add_flag("--try", arguments.tries,
-                  "also measure what other sampling schemes and split counts would do to variance and time");
+                  "also measure what other sampling schemes, split counts and so on would do");
+  noise->add_option("--change", arguments.change, "measure only this change, such as BPT_Branches=4");
+  noise->add_option("--progress", arguments.progress, "json: print each result as a line when it is known")
+      ->check(CLI::IsMember({"json", "none"}));
   noise->add_flag("--json", arguments.json, "print one JSON object");
 }
 
@@ -206,6 +209,11 @@ void add_compare(CLI::App& app, command::CompareArguments& arguments) {
   CLI::App* compare = app.add_subcommand("compare", "Compute the error of an image against a reference");
   compare->add_option("A", arguments.image, "the image: exr, hdr, pfm, raw, png, jpg or tga")->required();
   compare->add_option("B", arguments.reference, "the reference image, of the same size")->required();
+  compare->add_option("--exposure", arguments.exposure, "exposure in stops with which the images are seen");
+  compare
+      ->add_option("--pixels-per-degree", arguments.pixels_per_degree,
+                   "pixels per degree of visual angle: 40 for a full HD screen of 24 inches from 63 cm")
+      ->check(CLI::Range(1.0, 1000.0));
   compare->add_flag("--json", arguments.json, "print one JSON object");
 }
 

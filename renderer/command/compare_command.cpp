@@ -16,8 +16,13 @@ using grf::Diagnostics;
 using grf::ExitCode;
 using transport::ImageError;
 
+struct Comparison {
+  ImageError error;
+  transport::VisibleDifference visible;
+};
+
 /// Returns nothing after an error.
-std::optional<ImageError> compare(const CompareArguments& arguments, Diagnostics& diagnostics) {
+std::optional<Comparison> compare(const CompareArguments& arguments, Diagnostics& diagnostics) {
   const auto image = transport::read_image(arguments.image, diagnostics);
   const auto reference = transport::read_image(arguments.reference, diagnostics);
   if (!image || !reference) return std::nullopt;
@@ -28,13 +33,18 @@ std::optional<ImageError> compare(const CompareArguments& arguments, Diagnostics
     return std::nullopt;
   }
   const ImageError error = transport::error_of(*image, *reference);
-  if (error.nan_pixels < image->pixels.size()) return error;
+  if (error.nan_pixels < image->pixels.size()) {
+    const transport::Viewing viewing = {arguments.exposure, arguments.pixels_per_degree};
+    return Comparison{error, transport::summary_of(visible_differences(
+                                 transport::seen(*image, viewing), transport::seen(*reference, viewing)))};
+  }
   diagnostics.error(grf::whole_file(arguments.image),
                     fmt::format("no pixel is finite both here and in '{}'", arguments.reference));
   return std::nullopt;
 }
 
-void print_json(const ImageError& error) {
+void print_json(const Comparison& comparison, const CompareArguments& arguments) {
+  const auto& [error, visible] = comparison;
   nlohmann::ordered_json json;
   json["rmse"] = error.rmse;
   json["relmse"] = error.relmse;
@@ -43,10 +53,12 @@ void print_json(const ImageError& error) {
   json["max"] = error.max;
   json["nan_pixels"] = error.nan_pixels;
   json["fireflies"] = error.fireflies;
+  json["visible_difference"] = json_of(visible, {arguments.exposure, arguments.pixels_per_degree});
   fmt::print("{}\n", json.dump(2));
 }
 
-void print_text(const ImageError& error) {
+void print_text(const Comparison& comparison) {
+  const auto& [error, visible] = comparison;
   const auto print = [](const char* name, const std::string& value) {
     fmt::print("  {:<24}{}\n", name, value);
   };
@@ -60,19 +72,21 @@ void print_text(const ImageError& error) {
   print("max", number(error.max));
   print("pixels that are NaN", fmt::format("{}", error.nan_pixels));
   print("fireflies", fmt::format("{}", error.fireflies));
+  print("visible difference",
+        fmt::format("mean {:.3g}, 95th percentile {:.3g}", visible.mean, visible.percentile_95));
 }
 
 }  // namespace
 
 ExitCode compare(const CompareArguments& arguments) {
   Diagnostics diagnostics;
-  const auto error = compare(arguments, diagnostics);
+  const auto comparison = compare(arguments, diagnostics);
   fmt::print(stderr, "{}", diagnostics.to_text());
-  if (!error) return ExitCode::BadInput;
+  if (!comparison) return ExitCode::BadInput;
   if (arguments.json) {
-    print_json(*error);
+    print_json(*comparison, arguments);
   } else {
-    print_text(*error);
+    print_text(*comparison);
   }
   return ExitCode::Done;
 }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "grf/exit_code.h"
+#include "renderer/transport/image/visible_difference.h"
 
 namespace command {
 
@@ -10,10 +11,13 @@ namespace command {
 struct CompareArguments {
   std::string image;
   std::string reference;
+  double exposure = 0;  ///< stops, with which the images are seen
+  double pixels_per_degree = transport::Viewing::DefaultPixelsPerDegree;
   bool json = false;
 };
 
-/// Prints the error metrics of an image against a reference of the same size. A large error is no failure.
+/// Prints the error metrics of an image against a reference of the same size, and the visible difference. A
+/// large error is no failure.
 grf::ExitCode compare(const CompareArguments& arguments);
 
 }  // namespace command

@@ -10,6 +10,7 @@
 #include "grf/math.h"
 #include "grf/write.h"
 #include "renderer/transport/forecast.h"
+#include "renderer/transport/image/visible_difference.h"
 
 namespace command {
 
@@ -37,6 +38,15 @@ inline nlohmann::ordered_json json_of(const std::vector<transport::TargetForecas
                      {"samples_interval", interval(forecast.samples)}});
   }
   return array;
+}
+
+/// Returns what is visible of a difference, and how it is seen.
+inline nlohmann::ordered_json json_of(const transport::VisibleDifference& difference,
+                                      const transport::Viewing& viewing) {
+  return {{"mean", number_or_null(difference.mean)},
+          {"percentile_95", number_or_null(difference.percentile_95)},
+          {"exposure", viewing.exposure},
+          {"pixels_per_degree", viewing.pixels_per_degree}};
 }
 
 }  // namespace command

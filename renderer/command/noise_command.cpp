@@ -1,150 +1,140 @@
 #include "renderer/command/noise_command.h"
 
-#include <algorithm>
-#include <array>
 #include <atomic>
-#include <cmath>
-#include <ctime>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/job/render_job.h"
-#include "renderer/transport/noise.h"
+#include "renderer/job/noise_advice.h"
 
 namespace command {
 namespace {
 
 using grf::Diagnostics;
 using grf::ExitCode;
+using job::NoiseChange;
+using job::NoisePart;
+using job::NoiseReport;
+using transport::MeasuredRatio;
+using transport::NoiseRatios;
 using Json = nlohmann::ordered_json;
-using transport::CompiledScene;
-using transport::NoiseShare;
 
-constexpr int MostWidth = 192;
-constexpr int MostSamples = 16;
-
-/// Another setting, and what it is for.
-struct Alternative {
-  std::string_view flag;
-  std::string_view value;
-};
-constexpr std::array Alternatives = {Alternative{"--pdf", "adaptive"}, Alternative{"--branches", "1"},
-                                     Alternative{"--branches", "4"}};
-
-struct Measured {
-  transport::NoiseShares shares;
-  double seconds = 0;  ///< of the processor, for all images
-  Json report;
-
-  /// The error's square times the time: what an image of a given error costs.
-  double cost() const { return shares.error * shares.error * seconds; }
+/// A change, and what it does if it was tried.
+struct Trial {
+  NoiseChange change;
+  std::optional<NoiseRatios> ratios;
 };
 
-std::string lamp_name(const CompiledScene& scene, std::uint32_t index) {
-  const std::vector<transport::Lamp>& lamps = scene.geometry().lamps;
-  if (index >= lamps.size()) return "environment and background";
-  const transport::Lamp& lamp = lamps[index];
-  std::string name = lamp.name.empty() ? "lamp" : fmt::format("lamp '{}'", lamp.name);
-  if (lamp.location.line > 0) name += fmt::format(", line {}", lamp.location.line);
-  return name;
+void add_place(const NoisePart& part, Json& json) {
+  if (part.kind == NoisePart::Kind::Lamp) {
+    json["kind"] = part.lamp.is_area_light ? "area light" : "mesh";
+    json["number"] = part.lamp.number;
+  } else if (part.kind == NoisePart::Kind::Bounces) {
+    json["bounces"] = part.share.index;
+  } else if (part.kind == NoisePart::Kind::Brdf) {
+    json["brdf"] = part.tables.brdf;
+    json["scheme"] = part.tables.scheme;
+  }
 }
 
-std::string bounce_name(std::uint32_t bounces) {
-  if (bounces == 0) return "light that the eye sees";
-  if (bounces == 1) return "direct light";
-  return fmt::format("light of {} bounces", bounces);
-}
-
-std::string reflector_name(const CompiledScene& scene, std::uint32_t index) {
-  if (index >= scene.tables().size()) return "none: the eye sees the light";
-  const transport::TableInfo& table = scene.tables()[index];
-  return table.scheme.empty() ? table.brdf : fmt::format("{}, sampled by {}", table.brdf, table.scheme);
-}
-
-template <class Name>
-Json list_of(const std::vector<NoiseShare>& shares, const Name& name) {
+Json list_of(const std::vector<NoisePart>& parts) {
   Json list = Json::array();
-  for (const NoiseShare& share : shares) {
-    list.push_back({{"name", name(share.index)}, {"noise", share.noise}, {"light", share.light}});
+  for (const NoisePart& part : parts) {
+    Json one = {{"name", part.name}, {"noise", part.share.noise}, {"light", part.share.light}};
+    add_place(part, one);
+    list.push_back(std::move(one));
   }
   return list;
 }
 
-std::optional<Measured> measure(options::RenderOptions render_options, Diagnostics& diagnostics) {
-  if (render_options.size.width > MostWidth) {
-    render_options.size.height =
-        std::max(1, render_options.size.height * MostWidth / render_options.size.width);
-    render_options.size.width = MostWidth;
+Json json_of_trial(const Trial& trial) {
+  const NoiseChange& change = trial.change;
+  Json json = {{"change", change.word()}};
+  if (change.option.empty()) {
+    json["brdf"] = change.brdf;
+  } else {
+    json["option"] = change.option;
+    json["flag"] = options::find_option(change.option)->flag;
   }
-  const auto job = job::render_job(render_options, diagnostics);
-  if (!job) return std::nullopt;
-  if (job->settings.integrator.integrator != transport::Integrator::Path) {
-    diagnostics.error({}, "noise is shared out for the integrator `path` only");
-    return std::nullopt;
-  }
-  const transport::NoiseSettings settings = {8, std::min(job->settings.samples, MostSamples)};
-  const std::clock_t start = std::clock();
-  const std::atomic<bool> stopped = false;
-  const auto shares = transport::noise_shares(job->scene, job->settings, settings, stopped);
-  if (!shares) {
-    diagnostics.error({}, "the image has no noise");
-    return std::nullopt;
-  }
-  Measured measured{*shares, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, {}};
-  measured.report = {
-      {"width", job->settings.width},
-      {"height", job->settings.height},
-      {"samples", shares->samples},
-      {"error", shares->error},
-      {"lamps", list_of(shares->lamps, [&](std::uint32_t i) { return lamp_name(job->scene, i); })},
-      {"bounces", list_of(shares->bounces, bounce_name)},
-      {"brdfs", list_of(shares->reflectors, [&](std::uint32_t i) { return reflector_name(job->scene, i); })}};
-  return measured;
+  json["value"] = change.value;
+  json["before"] = change.before;
+  if (!trial.ratios) return json;
+  const auto add = [&](const std::string& name, const MeasuredRatio& ratio) {
+    json[name] = ratio.value;
+    json[name + "_interval"] = {ratio.low, ratio.high};
+  };
+  add("variance", trial.ratios->variance);
+  add("time", trial.ratios->time);
+  add("cost", trial.ratios->cost);
+  json["pays"] = job::pays(*trial.ratios);
+  json["advice"] = advice_of(change, *trial.ratios);
+  return json;
 }
 
-/// Measures other settings against those of the options.
-Json tried(const options::RenderOptions& render_options, const Measured& now, Diagnostics& diagnostics) {
-  Json list = Json::array();
-  for (const Alternative& alternative : Alternatives) {
-    options::RenderOptions other = render_options;
-    if (!apply_flags({{std::string(alternative.flag), std::string(alternative.value)}}, other)) continue;
-    if (other == render_options) continue;
-    const auto measured = measure(other, diagnostics);
-    if (!measured) continue;
-    const double error = measured->shares.error / now.shares.error;
-    list.push_back({{"flag", alternative.flag},
-                    {"value", alternative.value},
-                    {"variance", error * error},
-                    {"time", measured->seconds / now.seconds},
-                    {"cost", measured->cost() / now.cost()}});
-  }
-  return list;
+Json json_of_report(const NoiseReport& report) {
+  return {{"width", report.width},          {"height", report.height},
+          {"samples", report.samples},      {"error", report.error},
+          {"lamps", list_of(report.lamps)}, {"bounces", list_of(report.bounces)},
+          {"brdfs", list_of(report.brdfs)}, {"advice", advice_of(report)}};
 }
 
-void print_shares(const char* title, const Json& list) {
+std::string text_of(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+void print_line(const Json& json) {
+  fmt::print("{}\n", text_of(json, -1));
+  std::fflush(stdout);
+}
+
+void print_shares(const char* title, const std::vector<NoisePart>& parts) {
   fmt::print("{:>9}{:>9}  {}\n", "noise, %", "light, %", title);
-  for (const Json& one : list) {
-    fmt::print("{:>9.1f}{:>9.1f}  {}\n", 100 * one["noise"].get<double>(), 100 * one["light"].get<double>(),
-               one["name"].get<std::string>());
+  for (const NoisePart& part : parts) {
+    fmt::print("{:>9.1f}{:>9.1f}  {}\n", 100 * part.share.noise, 100 * part.share.light, part.name);
   }
 }
 
-void print_noise(const Json& report) {
-  fmt::print("error {:.3g} % with {} samples per pixel ({}x{} pixels)\n", 100 * report["error"].get<double>(),
-             report["samples"].get<int>(), report["width"].get<int>(), report["height"].get<int>());
-  print_shares("light from", report["lamps"]);
-  print_shares("bounces", report["bounces"]);
-  print_shares("reflected first by", report["brdfs"]);
-  if (!report.contains("tried")) return;
+void print_report(const NoiseReport& report) {
+  fmt::print("error {:.3g} % with {} samples per pixel ({}x{} pixels)\n", 100 * report.error, report.samples,
+             report.width, report.height);
+  print_shares("light from", report.lamps);
+  print_shares("bounces", report.bounces);
+  print_shares("reflected first by", report.brdfs);
+  for (const std::string& sentence : advice_of(report)) fmt::print("{}\n", sentence);
+}
+
+void print_trials(const std::vector<Trial>& trials) {
   fmt::print("{:>9}{:>9}{:>9}  tried, relative to now\n", "variance", "time", "product");
-  for (const Json& one : report["tried"]) {
-    fmt::print("{:>9.2f}{:>9.2f}{:>9.2f}  {} {}\n", one["variance"].get<double>(), one["time"].get<double>(),
-               one["cost"].get<double>(), one["flag"].get<std::string>(), one["value"].get<std::string>());
+  for (const auto& [change, ratios] : trials) {
+    if (!ratios) continue;
+    fmt::print("{:>9.2f}{:>9.2f}{:>9.2f}  {}\n", ratios->variance.value, ratios->time.value,
+               ratios->cost.value,
+               change.option.empty()
+                   ? fmt::format("{} for {}", change.value, change.brdf)
+                   : fmt::format("{} {}", options::find_option(change.option)->flag, change.value));
   }
+  for (const auto& [change, ratios] : trials) {
+    if (ratios) fmt::print("{}\n", advice_of(change, *ratios));
+  }
+}
+
+/// The changes to be tried: all of them, or the one that is asked for. Empty after an error.
+std::optional<std::vector<Trial>> trials_of(const NoiseArguments& arguments,
+                                            const std::vector<NoiseChange>& changes) {
+  std::vector<Trial> trials;
+  for (const NoiseChange& change : changes) {
+    if (arguments.change.empty() || change.word() == arguments.change) trials.push_back({change, {}});
+  }
+  if (!trials.empty() || arguments.change.empty()) return trials;
+  std::vector<std::string> words;
+  for (const NoiseChange& change : changes) words.push_back(change.word());
+  fmt::print(stderr, "error: --change: found '{}', expected one of {}\n", arguments.change,
+             fmt::join(words, ", "));
+  return std::nullopt;
 }
 
 }  // namespace
@@ -152,20 +142,35 @@ void print_noise(const Json& report) {
 ExitCode noise(const NoiseArguments& arguments) {
   Diagnostics diagnostics;
   auto render_options = read_options(arguments.scene, diagnostics);
-  std::optional<Measured> measured;
-  if (render_options) {
-    if (!apply_flags(arguments.flags, *render_options)) return ExitCode::BadCommandLine;
-    measured = measure(*render_options, diagnostics);
-    if (measured && arguments.tries)
-      measured->report["tried"] = tried(*render_options, *measured, diagnostics);
-  }
+  if (render_options && !apply_flags(arguments.flags, *render_options)) return ExitCode::BadCommandLine;
+  const std::atomic<bool> stopped = false;
+  std::optional<NoiseReport> report;
+  if (render_options) report = job::noise_report(*render_options, stopped, diagnostics);
   fmt::print(stderr, "{}", diagnostics.to_text());
-  if (!measured) return ExitCode::BadInput;
-  if (arguments.json) {
-    fmt::print("{}\n", measured->report.dump(2, ' ', false, Json::error_handler_t::replace));
-  } else {
-    print_noise(measured->report);
+  if (!report) return ExitCode::BadInput;
+  auto trials = trials_of(arguments, noise_changes(*render_options, *report));
+  if (!trials) return ExitCode::BadCommandLine;
+  const bool prints_lines = progress_style_of(arguments.progress) == ProgressStyle::Json;
+  Json json = json_of_report(*report);
+  json["changes"] = Json::array();
+  for (const Trial& trial : *trials) json["changes"].push_back(json_of_trial(trial));
+  if (prints_lines) print_line(json);
+  if (!arguments.json && !prints_lines) print_report(*report);
+
+  Diagnostics problems;
+  job::NoiseTrials measured(*render_options);
+  if (arguments.tries || !arguments.change.empty()) {
+    json["tried"] = Json::array();
+    for (Trial& trial : *trials) {
+      trial.ratios = measured.with(trial.change, stopped, problems);
+      if (!trial.ratios) continue;
+      json["tried"].push_back(json_of_trial(trial));
+      if (prints_lines) print_line({{"tried", json_of_trial(trial)}});
+    }
+    if (!arguments.json && !prints_lines) print_trials(*trials);
   }
+  fmt::print(stderr, "{}", problems.to_text());
+  if (arguments.json && !prints_lines) fmt::print("{}\n", text_of(json, 2));
   return ExitCode::Done;
 }
 

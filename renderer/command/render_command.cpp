@@ -13,6 +13,7 @@
 #include <sys/resource.h>
 
 #include "renderer/command/image_viewer_process.h"
+#include "renderer/command/json_values.h"
 #include "renderer/command/plan_summary.h"
 #include "renderer/command/render_arguments.h"
 #include "renderer/command/render_fingerprint.h"
@@ -24,6 +25,7 @@
 #include "renderer/job/non_finite.h"
 #include "renderer/job/render_job.h"
 #include "renderer/transport/render.h"
+#include "renderer/transport/visible_noise.h"
 
 namespace command {
 namespace {
@@ -76,6 +78,18 @@ nlohmann::json summary_of(const transport::Render& render,
   summary["peak_memory_bytes"] = peak_memory_bytes();
   add_plan(plan, summary);
   return summary;
+}
+
+/// The visible difference from the converged image, and the samples with which it is no longer seen; null if
+/// it is not known.
+nlohmann::json visible_difference_of(const transport::Render& render, const RenderOptions& render_options) {
+  transport::Viewing viewing;
+  viewing.exposure = double(render_options.exposure);
+  const auto noise = transport::visible_noise(render, viewing);
+  if (!noise) return nullptr;
+  auto json = json_of(noise->difference, viewing);
+  json["samples_needed"] = noise->samples_needed;
+  return json;
 }
 
 void print(const nlohmann::json& summary, const RenderArguments& arguments) {
@@ -173,7 +187,10 @@ ExitCode render_image(const RenderArguments& arguments, const RenderOptions& ren
     return ExitCode::BadInput;
   }
   progress.finish(render->progress(), outputs.front());
-  print(summary_of(*render, estimate, render_options, outputs.front(), setup_seconds, job->plan), arguments);
+  nlohmann::json summary =
+      summary_of(*render, estimate, render_options, outputs.front(), setup_seconds, job->plan);
+  if (arguments.json) summary["visible_difference"] = visible_difference_of(*render, render_options);
+  print(summary, arguments);
   return signal_handler.was_signalled() ? ExitCode::Interrupted : ExitCode::Done;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "renderer/transport/error_map.h"
 #include "renderer/transport/integrators/feature_layers.h"
 
 namespace command {
@@ -63,6 +64,7 @@ std::vector<ImageLayer> layers_of(const transport::Render& render, const transpo
     if (asks_for("depth")) layers.push_back({"depth", "Z", std::move(features.depth)});
   }
   if (asks_for("variance")) layers.push_back(transport::layer_of("variance", "RGB", film.variance()));
+  if (asks_for("error")) layers.push_back({"error", "", transport::error_map(render)});
   if (asks_for("samples")) layers.push_back(samples_layer(film));
   return layers;
 }

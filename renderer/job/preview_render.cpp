@@ -8,6 +8,8 @@
 
 #include "renderer/job/denoise.h"
 #include "renderer/job/preview_stages.h"
+#include "renderer/transport/error_map.h"
+#include "renderer/transport/image/image_file.h"
 
 namespace job {
 namespace {
@@ -20,6 +22,31 @@ using Clock = std::chrono::steady_clock;
 
 /// The time between images of one render; images that take long to make are sent less often.
 constexpr std::chrono::milliseconds Interval(80);
+/// Decides when the accuracy is measured, so that it takes a tenth of a thread's time at most: the map of
+/// errors twice per second, and the visible noise, which takes longer, less often.
+class AccuracySchedule {
+ public:
+  template <class Send>
+  void send_if_due(const Send& send) {
+    const auto start = Clock::now();
+    if (start < map_due_) return;
+    const bool is_visible_noise_due = start >= visible_noise_due_;
+    send(is_visible_noise_due);
+    const auto end = Clock::now();
+    const auto pause = Fraction * (end - start);
+    map_due_ = end + std::max<Clock::duration>(MapInterval, pause);
+    if (is_visible_noise_due)
+      visible_noise_due_ = end + std::max<Clock::duration>(VisibleNoiseInterval, pause);
+  }
+
+ private:
+  static constexpr std::chrono::milliseconds MapInterval{500};
+  static constexpr std::chrono::milliseconds VisibleNoiseInterval{2000};
+  static constexpr int Fraction = 10;
+
+  Clock::time_point map_due_ = Clock::now() + MapInterval;
+  Clock::time_point visible_noise_due_ = map_due_;
+};
 
 }  // namespace
 
@@ -122,6 +149,9 @@ void PreviewRender::show(int number, const PreviewRequest& request) {
   const std::vector<RenderSettings> stages = preview_stages(*settings, request.region);
   last_stage_image_ = std::make_shared<const Image>();
   denoises_ = request.denoises;
+  viewing_ = {};
+  viewing_.exposure = double(request.options.exposure);
+  visible_noise_.reset();
   for (std::size_t i = 0; i < stages.size(); ++i) {
     if (!run_stage(number, stages[i], i + 1 == stages.size())) return;
   }
@@ -140,6 +170,7 @@ bool PreviewRender::run_stage(int number, const RenderSettings& settings, bool i
     paused.restore(render);
     const StopReason stop_reason = watch(number, render, is_last);
     if (stop_reason == StopReason::Replaced) return false;
+    if (is_last) send_accuracy(number, render, true);
     send_image(number, render, is_last);
     if (stop_reason == StopReason::Finished) {
       last_stage_image_ = std::make_shared<const Image>(in_whole_image(render.film().mean(), settings));
@@ -168,9 +199,13 @@ PreviewRender::StopReason PreviewRender::watch(int number, Render& render, bool 
   });
   const auto is_to_stop = [&] { return render_has_ended_ || is_paused_ || is_replaced(number); };
   auto due = Clock::now() + Interval;
+  AccuracySchedule accuracy;
   std::unique_lock lock(lock_);
   while (!changed_.wait_until(lock, due, is_to_stop)) {
     lock.unlock();
+    if (is_last)
+      accuracy.send_if_due(
+          [&](bool is_visible_noise_due) { send_accuracy(number, render, is_visible_noise_due); });
     const auto start = Clock::now();
     if (is_last) send_image(number, render, is_last);
     due = Clock::now() + std::max<Clock::duration>(Interval, 5 * (Clock::now() - start));
@@ -208,6 +243,22 @@ Image PreviewRender::denoised_image(int number, const Render& render, const Imag
     const std::lock_guard lock(lock_);
     return is_replaced(number);
   });
+}
+
+/// Takes the last visible noise unless it is to be measured. Sends nothing if the request is replaced
+/// meanwhile, whose successor does not wait.
+void PreviewRender::send_accuracy(int number, const Render& render, bool measures_visible_noise) {
+  if (!listener_.accuracy) return;
+  const auto stops = [this, number] {
+    const std::lock_guard lock(lock_);
+    return is_replaced(number);
+  };
+  if (measures_visible_noise) visible_noise_ = transport::visible_noise(render, viewing_, stops);
+  const transport::ImageLayer map = {"", "", transport::error_map(render, stops)};
+  if (map.values.empty()) return;
+  Image error = transport::image_of(map, render.film().width(), render.film().height());
+  listener_.accuracy(number, std::make_shared<const PreviewAccuracy>(PreviewAccuracy{
+                                 in_whole_image(std::move(error), render.settings()), visible_noise_}));
 }
 
 void PreviewRender::send_image(int number, const Render& render, bool is_last) {

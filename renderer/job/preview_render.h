@@ -11,6 +11,7 @@
 
 #include "renderer/job/preview_scene.h"
 #include "renderer/transport/integrators/feature_layers.h"
+#include "renderer/transport/visible_noise.h"
 
 namespace job {
 
@@ -22,6 +23,15 @@ enum class PreviewState {
   Failed,  ///< the diagnostics say why
 };
 
+/// How accurate the image of a preview is, measured as it was sent or somewhat before.
+struct PreviewAccuracy {
+  /// The relative standard error of each pixel as grey, see transport::error_map: of the rendered image, even
+  /// if the one that is shown is denoised. 0 outside a region.
+  transport::Image error;
+  /// With the exposure of the options, and the default distance of the eye; empty while it is not known.
+  std::optional<transport::VisibleNoise> visible_noise;
+};
+
 /// Callbacks of a preview. All are called from its thread, with the number of their request; calls for a
 /// request that was just replaced or stopped may still arrive.
 struct PreviewListener {
@@ -29,6 +39,8 @@ struct PreviewListener {
   std::function<void(int request, std::shared_ptr<const transport::Image> image,
                      const transport::RenderProgress& progress)>
       image;
+  /// Receives the accuracy of images in full resolution before them: of some and of the last one.
+  std::function<void(int request, std::shared_ptr<const PreviewAccuracy> accuracy)> accuracy;
   std::function<void(int request, const grf::Diagnostics& diagnostics)> diagnostics;
   std::function<void(int request, PreviewState state)> state;
 };
@@ -61,6 +73,7 @@ class PreviewRender {
   StopReason watch(int number, transport::Render& render, bool is_last);
   bool wait_for_resumption(int number);
   void send_image(int number, const transport::Render& render, bool is_last);
+  void send_accuracy(int number, const transport::Render& render, bool measures_visible_noise);
   transport::Image denoised_image(int number, const transport::Render& render, const transport::Image& image);
   bool is_replaced(int number) const { return is_closing_ || number != number_; }
   void replace_locked();
@@ -70,7 +83,9 @@ class PreviewRender {
   /// The image of the last finished stage.
   std::shared_ptr<const transport::Image> last_stage_image_;
   bool denoises_ = false;
-  std::optional<transport::FeatureLayers> guides_;  ///< of the current stage, if it is denoised
+  transport::Viewing viewing_;
+  std::optional<transport::VisibleNoise> visible_noise_;  ///< the last one of the request
+  std::optional<transport::FeatureLayers> guides_;        ///< of the current stage, if it is denoised
 
   std::mutex lock_;  ///< guards the members below
   std::condition_variable changed_;

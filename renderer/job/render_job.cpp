@@ -178,7 +178,8 @@ std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::Compil
   if (!check_cameras(render_options, diagnostics) || !has_view_direction(settings.view, diagnostics))
     return std::nullopt;
   transport::PlanSettings plan_settings = plan_settings_of(render_options, settings);
-  if (compile_settings.scheme) plan_settings.scheme = to_text(compile_settings.scheme->model);
+  if (compile_settings.scheme && compile_settings.scheme->brdf.empty())
+    plan_settings.scheme = to_text(compile_settings.scheme->model);
   transport::Plan plan = transport::plan_of(coarse_scene, plan_settings);
   follow(plan, settings);
   compile_settings.effects = plan.needed();
@@ -209,8 +210,10 @@ bool has_geometry(const CompiledScene& scene, const RenderOptions& render_option
   return false;
 }
 
-std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnostics& diagnostics) {
-  const auto compile_settings = compile_settings_of(render_options, diagnostics);
+std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnostics& diagnostics,
+                                    const std::optional<transport::SchemeOverride>& scheme) {
+  auto compile_settings = compile_settings_of(render_options, diagnostics);
+  if (compile_settings && !compile_settings->scheme) compile_settings->scheme = scheme;
   auto scene = read_scene(render_options, diagnostics);
   std::optional<RenderPlan> planned;
   if (scene && compile_settings)

@@ -18,9 +18,11 @@ struct RenderJob {
   transport::Plan plan;
 };
 
-/// Reads, plans and compiles the scene that the options name; nothing after an error.
+/// Reads, plans and compiles the scene that the options name; nothing after an error. Some faces may have
+/// another sampling scheme than in the scene, unless the options name one for all.
 std::optional<RenderJob> render_job(const options::RenderOptions& render_options,
-                                    grf::Diagnostics& diagnostics);
+                                    grf::Diagnostics& diagnostics,
+                                    const std::optional<transport::SchemeOverride>& scheme = std::nullopt);
 
 // The steps of `render_job` return nothing, or false, after an error.
 

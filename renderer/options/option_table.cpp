@@ -35,9 +35,10 @@ std::vector<OptionInfo> image_options() {
       {"BPT_Exposure", "--exposure", NumberOption<float>{&Options::exposure, -MostStops, MostStops}, "float",
        "0", "exposure compensation of 8-bit outputs, in stops; the other types store radiance"},
       {"BPT_Layers", "--layers",
-       ListOption{&Options::layers, {"albedo", "normal", "depth", "variance", "samples"}}, "list", "none",
+       ListOption{&Options::layers, {"albedo", "normal", "depth", "variance", "error", "samples"}}, "list",
+       "none",
        "layers (AOVs) of an exr output, comma-separated: albedo, normal, depth (of the first hit), variance "
-       "(of the pixel's mean), samples (per pixel); or all, or none"},
+       "(of the pixel's mean), error (relative standard error), samples (per pixel); or all, or none"},
   };
 }
 

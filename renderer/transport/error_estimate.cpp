@@ -427,6 +427,18 @@ ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted) {
   return sums;
 }
 
+double squared_error_of(const PixelMoments& pixels, const Imath::V2i& pixel) {
+  const auto index = pixels.index_of(pixel.x, pixel.y);
+  double error = 0;
+  for (int c = 0; c < PixelChannels; ++c) {
+    const PixelValue value{pixel, c, pixels.means[index][c], pixels.variances[index][c]};
+    const Surroundings around = surroundings_of(pixels, value);
+    const double radiance = around.count > 0 ? likely_radiance(pixels, value, around) : value.mean;
+    error += value.variance / (radiance * radiance + RelmseFloor);
+  }
+  return error / PixelChannels;
+}
+
 std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   if (!(sums.values > 0)) return std::nullopt;
   const Supplement touched = errors_of(sums.touched);

@@ -102,6 +102,10 @@ constexpr int ErrorNeighbours = 3;
 /// and their mean is t. Other such pixels, and outliers, are summed separately; see `error_estimate_of`.
 ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted);
 
+/// Returns the estimated squared error of one pixel, relative as in relMSE, the mean over its channels: d^2 /
+/// (t^2 + 0.01) with t as above, also for outliers and for pixels that few samples have hit.
+double squared_error_of(const PixelMoments& pixels, const Imath::V2i& pixel);
+
 /// Returns the error of an image and its 95 % confidence interval; empty if no value was counted.
 ///
 /// The interval. The estimated and the true error are both roots of sums of squares with about N degrees of

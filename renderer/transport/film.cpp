@@ -37,6 +37,15 @@ Imath::V3d variance_of(const FilmTile::PixelSums& sums, const FilmTile::Counts& 
   return difference * difference * (weight * (1 - weight));
 }
 
+/// The difference of the halves with the variance of their mean.
+Imath::V3d scaled_difference(const FilmTile::PixelSums& sums, const FilmTile::Counts& counts) {
+  if (!has_both_halves(counts)) return Imath::V3d(0);
+  const double n = counts[0];
+  const double m = counts[1];
+  const double weight = is_even(counts) ? n / (n + m) : 0.5;
+  return (sums[0] / n - sums[1] / m) * std::sqrt(weight * (1 - weight));
+}
+
 /// Allocates the pixels of a rectangle, most of which have this many samples.
 PixelMoments moments_for(const TileBounds& bounds, const FilmTile::Counts& counts) {
   PixelMoments moments{bounds, static_cast<double>(counts[0] + counts[1]), {}, {}};
@@ -61,6 +70,10 @@ bool FilmTile::add(int x, int y, int scrambling, const Rgb& radiance) {
 }
 
 Rgb FilmTile::mean(std::size_t pixel) const { return Rgb(mean_of(pixels[pixel], counts)); }
+
+Rgb FilmTile::half_difference(std::size_t pixel) const {
+  return Rgb(scaled_difference(pixels[pixel], counts));
+}
 
 Rgb FilmTile::variance(std::size_t pixel) const { return Rgb(variance_of(pixels[pixel], counts)); }
 

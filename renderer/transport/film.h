@@ -40,6 +40,8 @@ struct FilmTile {
   Rgb mean(std::size_t pixel) const;
   /// The variance of that mean, estimated from the two halves; 0 while there is only one.
   Rgb variance(std::size_t pixel) const;
+  /// The difference of the halves, scaled to have the variance of the mean; 0 while there is only one.
+  Rgb half_difference(std::size_t pixel) const;
   /// Returns the tile's own contribution to the error, without the pixels around it: good enough to show
   /// progress. Zeros while there is only one half.
   ErrorSums error_sums() const;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "renderer/parallel/loops.h"
+#include "renderer/transport/processor_clock.h"
 
 namespace transport {
 namespace {
@@ -162,6 +163,45 @@ std::vector<NoiseShare> shares_of(const Sums& sums) {
   return shares;
 }
 
+/// The variance of a row's pixels, relative to their radiance, from independent images.
+double row_variance(const std::vector<Image>& images, int y) {
+  const auto count = static_cast<double>(images.size());
+  double sum = 0;
+  for (int x = 0; x < images.front().width; ++x) {
+    for (int channel = 0; channel < 3; ++channel) {
+      double mean = 0;
+      for (const Image& image : images) mean += double(image.at(x, y)[channel]) / count;
+      double squares = 0;
+      for (const Image& image : images) {
+        const double difference = double(image.at(x, y)[channel]) - mean;
+        squares += difference * difference;
+      }
+      sum += squares / (count - 1) / (mean * mean + Floor);
+    }
+  }
+  return sum / (3.0 * images.front().width);
+}
+
+/// Returns the ratio of two sums over the same units, and its standard error relative to itself.
+std::pair<double, double> ratio_of_sums(const std::vector<double>& above, const std::vector<double>& below) {
+  const double sum = sum_of(below);
+  const double ratio = sum_of(above) / sum;
+  double squares = 0;
+  for (std::size_t i = 0; i < below.size(); ++i) {
+    const double off = above[i] - ratio * below[i];
+    squares += off * off;
+  }
+  const auto count = static_cast<double>(below.size());
+  if (count < 2 || !(ratio > 0)) return {ratio, 0};
+  return {ratio, std::sqrt(squares * count / (count - 1)) / sum / ratio};
+}
+
+MeasuredRatio with_interval(double ratio, double relative_error) {
+  constexpr double NormalQuantile = 1.96;
+  const double factor = std::exp(NormalQuantile * relative_error);
+  return {ratio, ratio / factor, ratio * factor};
+}
+
 }  // namespace
 
 std::optional<NoiseShares> noise_shares(const CompiledScene& scene, const RenderSettings& settings,
@@ -183,6 +223,61 @@ std::optional<NoiseShares> noise_shares(const CompiledScene& scene, const Render
   if (!(variance > 0)) return std::nullopt;
   return NoiseShares{std::sqrt(variance), noise.samples, shares_of(sums.lamps), shares_of(sums.bounces),
                      shares_of(sums.reflectors)};
+}
+
+namespace {
+
+/// Renders an image, and adds the processor time that it takes.
+Image timed_image(const CompiledScene& scene, const RenderSettings& settings, int number, double& seconds) {
+  RenderSettings of_image = settings;
+  of_image.seed += static_cast<std::uint32_t>(number);
+  Render render(scene, of_image);
+  const double start = process_seconds();
+  render.run();
+  seconds += process_seconds() - start;
+  return render.film().mean();
+}
+
+}  // namespace
+
+double seconds_of_image(const CompiledScene& scene, const RenderSettings& settings, int image) {
+  double seconds = 0;
+  timed_image(scene, settings, image, seconds);
+  return seconds;
+}
+
+std::optional<MeasuredNoise> measure_noise(const CompiledScene& scene, const RenderSettings& settings,
+                                           int images, const std::atomic<bool>& stopped,
+                                           const std::function<void(int)>& after_image) {
+  std::vector<Image> means;
+  MeasuredNoise measured;
+  for (int i = 0; i < images; ++i) {
+    if (stopped) return std::nullopt;
+    measured.seconds_of_images.push_back(0);
+    means.push_back(timed_image(scene, settings, i, measured.seconds_of_images.back()));
+    after_image(i);
+  }
+  double sum = 0;
+  for (int y = 0; y < means.front().height; ++y) {
+    measured.row_variances.push_back(row_variance(means, y));
+    sum += measured.row_variances.back();
+  }
+  measured.error = std::sqrt(sum / means.front().height);
+  return measured.error > 0 ? std::optional(measured) : std::nullopt;
+}
+
+double MeasuredNoise::seconds() const {
+  return sum_of(seconds_of_images) / static_cast<double>(seconds_of_images.size());
+}
+
+NoiseRatios ratios_of(const MeasuredNoise& before, const MeasuredNoise& after) {
+  const auto variance = ratio_of_sums(after.row_variances, before.row_variances);
+  const auto time = ratio_of_sums(after.seconds_of_images, before.seconds_of_images);
+  NoiseRatios ratios;
+  ratios.variance = with_interval(variance.first, variance.second);
+  ratios.time = with_interval(time.first, time.second);
+  ratios.cost = with_interval(variance.first * time.first, std::hypot(variance.second, time.second));
+  return ratios;
 }
 
 }  // namespace transport

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/bpt.h"
@@ -39,7 +40,7 @@ TEST_F(BptCompare, GivesTheNumbersThatScriptsRelyOn) {
   std::vector<std::string> names;
   for (const auto& [name, value] : json.items()) names.push_back(name);
   EXPECT_EQ(names, (std::vector<std::string>{"rmse", "relmse", "average_relative_error", "psnr", "max",
-                                             "nan_pixels", "fireflies"}));
+                                             "nan_pixels", "fireflies", "visible_difference"}));
   EXPECT_NEAR(json["rmse"].get<double>(), std::sqrt(0.5 / 3), 1e-9);
   EXPECT_NEAR(json["relmse"].get<double>(), (0.25 / 1.01 + 0.25 / 0.01) / 3, 1e-9);
   EXPECT_NEAR(json["average_relative_error"].get<double>(), 0.25, 1e-9);
@@ -52,14 +53,36 @@ TEST_F(BptCompare, PrintsATableForPeople) {
   const Outcome outcome = bpt({"compare", image_, reference_});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
-  EXPECT_EQ(outcome.out,
-            "  rmse                    0.408248\n"
-            "  relmse                  8.41584\n"
-            "  average relative error  25 %\n"
-            "  psnr                    13.8 dB\n"
-            "  max                     0.5\n"
-            "  pixels that are NaN     0\n"
-            "  fireflies               0\n");
+  EXPECT_THAT(outcome.out, testing::StartsWith("  rmse                    0.408248\n"
+                                               "  relmse                  8.41584\n"
+                                               "  average relative error  25 %\n"
+                                               "  psnr                    13.8 dB\n"
+                                               "  max                     0.5\n"
+                                               "  pixels that are NaN     0\n"
+                                               "  fireflies               0\n"
+                                               "  visible difference      mean "));
+}
+
+// Greys of one colour differ only in lightness: by dL / S_L of CIEDE2000, with L = 116 Y^(1/3) - 16.
+TEST_F(BptCompare, TellsWhatTheEyeSees) {
+  const std::string one = write("one.pfm", grey_pfm(std::vector<float>(50, 0.2F)));
+  const std::string other = write("other.pfm", grey_pfm(std::vector<float>(50, 0.22F)));
+  const auto lightness = [](double y) { return 116 * std::cbrt(y) - 16; };
+  const auto difference = [&](double y, double z) {
+    const double middle = std::pow((lightness(y) + lightness(z)) / 2 - 50, 2);
+    return std::abs(lightness(y) - lightness(z)) / (1 + 0.015 * middle / std::sqrt(20 + middle));
+  };
+  const auto plain = nlohmann::json::parse(bpt({"compare", one, other, "--json"}).out)["visible_difference"];
+  EXPECT_NEAR(plain["mean"].get<double>(), difference(0.2, 0.22), 1e-3);
+  EXPECT_NEAR(plain["percentile_95"].get<double>(), difference(0.2, 0.22), 1e-3);
+  EXPECT_EQ(plain["pixels_per_degree"], 40);
+  EXPECT_EQ(plain["exposure"], 0);
+  const auto brighter = nlohmann::json::parse(
+      bpt({"compare", one, other, "--json", "--exposure", "2", "--pixels-per-degree", "20"})
+          .out)["visible_difference"];
+  EXPECT_NEAR(brighter["mean"].get<double>(), difference(0.8, 0.88), 1e-3);
+  EXPECT_EQ(brighter["pixels_per_degree"], 20);
+  EXPECT_EQ(bpt({"compare", one, other, "--pixels-per-degree", "0"}).exit_code, 2);
 }
 
 TEST_F(BptCompare, SaysNothingWhereThereIsNoNumber) {

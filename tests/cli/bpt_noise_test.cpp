@@ -1,4 +1,9 @@
 // Tests of `bpt noise`.
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -64,17 +69,126 @@ TEST_F(BptNoise, IsSharedOutToLampsBouncesAndBrdfs) {
   EXPECT_FALSE(report.contains("tried"));
 }
 
-TEST_F(BptNoise, TriesOtherSettings) {
-  const Outcome outcome = bpt({"noise", op_, "--try", "--json", "--branches", "4"});
+TEST_F(BptNoise, SaysWhereItsPartsAre) {
+  const Outcome outcome = bpt({"noise", op_, "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json tried = json::parse(outcome.out)["tried"];
-  ASSERT_EQ(tried.size(), 2U) << "four branches are what there is";
+  const json report = json::parse(outcome.out);
+  for (const json& lamp : report["lamps"]) {
+    const bool is_mesh = lamp["name"] == "lamp 'glow', line 3";
+    EXPECT_EQ(lamp["kind"], is_mesh ? "mesh" : "area light");
+    EXPECT_EQ(lamp["number"], 0) << "the first of its kind";
+  }
+  bool has_ward = false;
+  for (const json& brdf : report["brdfs"]) {
+    if (brdf.value("brdf", "") != "ward sx=0.2 ks=0.3 kd=0.4") continue;
+    has_ward = true;
+    EXPECT_EQ(brdf["scheme"], "auto");
+  }
+  EXPECT_TRUE(has_ward) << report["brdfs"].dump();
+  ASSERT_FALSE(report["advice"].empty());
+  const json& first = report["lamps"][0];
+  const std::string advice = report["advice"][0];
+  EXPECT_THAT(advice, testing::StartsWith(first["kind"] == "mesh" ? "The lamp 'glow' in line 3 makes "
+                                                                  : "The lamp in line 1 makes "));
+  EXPECT_THAT(advice,
+              HasSubstr(std::to_string(std::lround(100 * first["noise"].get<double>())) + " % of the noise"));
+}
+
+const json* find(const json& list, const std::string& change) {
+  for (const json& one : list) {
+    if (one["change"] == change) return &one;
+  }
+  return nullptr;
+}
+
+TEST_F(BptNoise, TriesOtherSettings) {
+  const Outcome outcome =
+      bpt({"noise", op_, "--try", "--json", "--branches", "4", "--points", "independent"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(outcome.out);
+  const json& tried = report["tried"];
+  EXPECT_EQ(tried.size(), report["changes"].size());
   for (const json& one : tried) {
     EXPECT_NEAR(one["variance"].get<double>() * one["time"].get<double>(), one["cost"].get<double>(), 1e-9);
+    EXPECT_LE(one["cost_interval"][0], one["cost"]);
+    EXPECT_GE(one["cost_interval"][1], one["cost"]);
+    EXPECT_THAT(one["advice"].get<std::string>(), HasSubstr(" instead of "));
   }
-  EXPECT_EQ(tried[0]["value"], "adaptive");
-  EXPECT_EQ(tried[1]["flag"], "--branches");
-  EXPECT_GT(tried[1]["variance"].get<double>(), 1) << "one branch has more noise than four";
+  EXPECT_EQ(find(tried, "BPT_Branches=4"), nullptr) << "four branches are what there is";
+  const json* fewer = find(tried, "BPT_Branches=1");
+  ASSERT_NE(fewer, nullptr);
+  EXPECT_EQ((*fewer)["flag"], "--branches");
+  EXPECT_EQ((*fewer)["before"], "4");
+  EXPECT_GT((*fewer)["variance_interval"][0], 1) << "one branch has more noise than four";
+  const json* sobol = find(tried, "BPT_Points=sobol");
+  ASSERT_NE(sobol, nullptr);
+  EXPECT_LT((*sobol)["variance_interval"][1], 1) << "low-discrepancy points have less noise";
+  EXPECT_NE(find(tried, "BPT_Adaptive=true"), nullptr);
+}
+
+/// A plate with a narrow lobe under a constant sky: cosine-weighted directions seldom meet the lobe, and the
+/// BRDF's own sampler meets it always.
+class BptNoiseOfALobe : public Bpt {
+ protected:
+  BptNoiseOfALobe() {
+    write("lobe.grf",
+          "begin mesh brdf phong n=200 ks=0.9 kd=0 pdf diffuse begin vertexs (-9,0,9) (9,0,9) (9,0,-9) "
+          "(-9,0,-9) "
+          "end vertexs begin faces (0,1,2,3) end faces end mesh\n");
+    op_ = write("lobe.op",
+                "BPT_Scene lobe.grf\nBPT_Viewer 0 6 6\nBPT_VLook 0 0 0\nBPT_FieldOfView 30\n"
+                "BPT_Background 1 1 1\nBPT_Depth 1\nBPT_Image_Resolution 24 24\nBPT_Samples 16\n");
+  }
+  std::string op_;
+};
+
+TEST_F(BptNoiseOfALobe, IsLessWithTheSchemeThatFitsIt) {
+  const json changes = json::parse(bpt({"noise", op_, "--json"}).out)["changes"];
+  std::string own;
+  for (const json& change : changes) {
+    EXPECT_FALSE(change.contains("variance")) << "it was not tried";
+    if (change["value"] == "own") own = change["change"];
+  }
+  ASSERT_NE(own, "");
+  const Outcome outcome = bpt({"noise", op_, "--json", "--change", own});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json tried = json::parse(outcome.out)["tried"];
+  ASSERT_EQ(tried.size(), 1U);
+  EXPECT_EQ(tried[0]["brdf"], "phong n=200 ks=0.9 kd=0");
+  EXPECT_EQ(tried[0]["before"], "diffuse");
+  // Of cosine-weighted directions one in about (n + 2) / 2 = 101 meets the lobe; of the BRDF's own, which
+  // also has a cosine-weighted part, most do.
+  EXPECT_LT(tried[0]["variance_interval"][1], 0.3);
+  EXPECT_EQ(tried[0]["pays"], true);
+  EXPECT_THAT(tried[0]["advice"].get<std::string>(),
+              testing::AllOf(HasSubstr("sampled by 'own' instead of 'diffuse': 0."), HasSubstr("it pays")));
+  // The same change the other way round costs more.
+  const json reverse = json::parse(
+      bpt({"noise", op_, "--json", "--pdf", "Own", "--change", "BPT_Pdf_Name=Auto"}).out)["tried"];
+  ASSERT_EQ(reverse.size(), 1U);
+  EXPECT_EQ(reverse[0]["flag"], "--pdf");
+}
+
+TEST_F(BptNoiseOfALobe, IsPrintedLineByLine) {
+  const Outcome outcome = bpt({"noise", op_, "--progress", "json", "--try"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  std::istringstream lines(outcome.out);
+  std::string line;
+  ASSERT_TRUE(std::getline(lines, line));
+  const json report = json::parse(line);
+  EXPECT_EQ(report["lamps"].size(), 1U) << "the background";
+  for (const json& change : report["changes"]) {
+    ASSERT_TRUE(std::getline(lines, line));
+    EXPECT_EQ(json::parse(line)["tried"]["change"], change["change"]);
+  }
+  EXPECT_FALSE(std::getline(lines, line));
+}
+
+TEST_F(BptNoiseOfALobe, RefusesOtherChanges) {
+  const Outcome outcome = bpt({"noise", op_, "--change", "BPT_Depth=3"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--change: found 'BPT_Depth=3', expected one of "));
+  EXPECT_THAT(outcome.err, HasSubstr("=own"));
 }
 
 TEST_F(BptNoise, PrintsTextAndErrors) {
@@ -89,6 +203,60 @@ TEST_F(BptNoise, PrintsTextAndErrors) {
   EXPECT_EQ(dark.exit_code, 1);
   EXPECT_THAT(dark.err, HasSubstr("the image has no noise"));
   EXPECT_EQ(bpt({"noise", "no.op"}).exit_code, 1);
+}
+
+/// The rows of the manual's tables that begin with a text, without it: `71 % | 40 %`.
+std::string manual_row(const std::string& name) {
+  std::ifstream file(GRANADA_SOURCE_DIR "/editor/MANUAL.md");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t at = line.find("| " + name + " | ");
+    if (at == std::string::npos) continue;
+    const std::string rest = line.substr(at + name.size() + 5);
+    return rest.substr(0, rest.rfind(" |"));
+  }
+  return "no row";
+}
+
+std::string percentages(const json& part) {
+  return std::to_string(std::lround(100 * part["noise"].get<double>())) + " % | " +
+         std::to_string(std::lround(100 * part["light"].get<double>())) + " %";
+}
+
+// The figures depend on the seed, and not on the machine or its threads.
+TEST_F(Bpt, NoiseOfTheStillLifeIsThatOfTheManual) {
+  const std::string scene = GRANADA_SOURCE_DIR "/samples/authored/still_life.op";
+  const Outcome outcome = bpt({"noise", scene, "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_EQ(std::lround(1000 * report["error"].get<double>()), 53);
+  int rows = 0;
+  const auto expect_row = [&rows](const json& part, const std::string& row) {
+    const std::string expected = manual_row(row);
+    if (expected == "no row") return;
+    EXPECT_EQ(percentages(part), expected) << row;
+    ++rows;
+  };
+  for (const json& lamp : report["lamps"]) {
+    expect_row(lamp, "Area light " + std::to_string(lamp["number"].get<int>() + 1));
+  }
+  expect_row(report["bounces"][0], "Direct light");
+  expect_row(report["bounces"][1], "Light of 2 bounces");
+  for (const json& brdf : report["brdfs"]) expect_row(brdf, "`" + brdf.value("brdf", "") + "`");
+  EXPECT_EQ(rows, 6) << "all rows of the table";
+  for (const std::string count : {"1", "4"}) {
+    const json tried =
+        json::parse(bpt({"noise", scene, "--json", "--change", "BPT_Branches=" + count}).out)["tried"];
+    char variance[16] = {};
+    std::snprintf(variance, sizeof(variance), "%.2f", tried[0]["variance"].get<double>());
+    EXPECT_EQ(variance, manual_row("Split count: " + count + " instead of 2"));
+  }
+  const auto visible = [&](const char* samples) {
+    const Outcome render =
+        bpt({"render", scene, "--samples", samples, "--json", "--output", path("image.exr")});
+    return json::parse(render.out)["visible_difference"]["percentile_95"].get<double>();
+  };
+  EXPECT_NEAR(visible("16"), 2.3, 0.05);
+  EXPECT_NEAR(visible("64"), 0.9, 0.05);
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ TEST_F(BptOutput, HasLayersOnRequest) {
   EXPECT_EQ(channels_of("none"), (std::vector<std::string>{"B", "G", "R"}));
   EXPECT_EQ(channels_of("depth,samples"), (std::vector<std::string>{"B", "G", "R", "depth.Z", "samples"}));
   EXPECT_EQ(channels_of("all"),
-            (std::vector<std::string>{"B", "G", "R", "albedo.B", "albedo.G", "albedo.R", "depth.Z",
+            (std::vector<std::string>{"B", "G", "R", "albedo.B", "albedo.G", "albedo.R", "depth.Z", "error",
                                       "normal.X", "normal.Y", "normal.Z", "samples", "variance.B",
                                       "variance.G", "variance.R"}));
   const Outcome plain = bpt(

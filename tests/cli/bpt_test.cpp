@@ -48,6 +48,11 @@ TEST_F(Bpt, SummarisesAsJson) {
   EXPECT_LT(interval[0], summary["estimated_error"].get<double>());
   EXPECT_GT(interval[1], summary["estimated_error"].get<double>());
   EXPECT_EQ(summary["effects"], (std::vector<std::string>{"area_lights"}));
+  const auto& visible = summary["visible_difference"];
+  EXPECT_GT(visible["percentile_95"].get<double>(), 0);
+  EXPECT_GT(visible["samples_needed"].get<double>(), 0);
+  EXPECT_EQ(visible["exposure"], 0);
+  EXPECT_EQ(visible["pixels_per_degree"], 40);
   EXPECT_TRUE(std::filesystem::exists(path("a.png")) && std::filesystem::exists(path("b.exr")));
 }
 

@@ -109,6 +109,9 @@ class PreviewRecorder {
     listener.image = [this](int number, auto image, const transport::RenderProgress& progress) {
       add([&] { images_[number].push_back({std::move(image), progress}); });
     };
+    listener.accuracy = [this](int number, auto accuracy) {
+      add([&] { accuracies_[number].push_back(std::move(accuracy)); });
+    };
     listener.diagnostics = [this](int number, const grf::Diagnostics& diagnostics) {
       add([&] { texts_[number] += diagnostics.to_text(); });
     };
@@ -128,6 +131,10 @@ class PreviewRecorder {
   std::vector<Event> images(int number) {
     const std::lock_guard lock(lock_);
     return images_[number];
+  }
+  std::vector<std::shared_ptr<const job::PreviewAccuracy>> accuracies(int number) {
+    const std::lock_guard lock(lock_);
+    return accuracies_[number];
   }
   std::string text(int number) {
     const std::lock_guard lock(lock_);
@@ -150,6 +157,7 @@ class PreviewRecorder {
   std::mutex lock_;
   std::condition_variable changed_;
   std::map<int, std::vector<Event>> images_;
+  std::map<int, std::vector<std::shared_ptr<const job::PreviewAccuracy>>> accuracies_;
   std::map<int, std::string> texts_;
   std::map<int, std::vector<job::PreviewState>> states_;
 };

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -91,6 +93,36 @@ TEST(Preview, RendersOnlyItsRegion) {
     }
     EXPECT_GT(lit, 0);
     EXPECT_EQ(images.back().progress.done, 1);
+  }
+}
+
+// A lit floor: where it is seen the error is that of the render, and where nothing is there is none.
+TEST(Preview, MeasuresTheErrorOfItsPixels) {
+  PreviewRequest request = test::request(test::scene_of_text(test::Corner), 96, 72, 16);
+  for (const auto& region :
+       {std::optional<job::PreviewRegion>(), {job::PreviewRegion{0.25, 0.25, 0.75, 1}}}) {
+    request.region = region;
+    test::PreviewRecorder recorder;
+    PreviewRender preview(recorder.listener());
+    const int number = preview.start(request);
+    ASSERT_TRUE(recorder.reaches(number, PreviewState::Done)) << recorder.text(number);
+    ASSERT_FALSE(recorder.accuracies(number).empty());
+    const transport::Image& error = recorder.accuracies(number).back()->error;
+    const transport::Image& image = *recorder.images(number).back().image;
+    ASSERT_EQ(error.width, 96);
+    ASSERT_EQ(error.height, 72);
+    double squares = 0;
+    for (std::size_t i = 0; i < error.pixels.size(); ++i) {
+      ASSERT_TRUE(std::isfinite(error.pixels[i].x));
+      squares += double(error.pixels[i].x) * double(error.pixels[i].x);
+    }
+    const auto estimate = recorder.images(number).back().progress.estimated_error;
+    ASSERT_TRUE(estimate);
+    const double pixels = region ? 48 * 54 : 96 * 72;
+    EXPECT_NEAR(std::sqrt(squares / pixels) / *estimate, 1, 0.3);
+    EXPECT_EQ(image.at(0, 0), transport::Rgb(0)) << "nothing is there";
+    EXPECT_EQ(error.at(0, 0), transport::Rgb(0));
+    EXPECT_GT(error.at(48, 48).x, 0.001F) << "the floor";
   }
 }
 

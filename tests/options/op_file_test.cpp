@@ -186,7 +186,7 @@ TEST_F(OpFile, SetsHowARenderGoesOn) {
   EXPECT_EQ(read_options->checkpoint, folder_.path("keep/it.bin"));
   EXPECT_EQ(read_options->exposure, -2.5F);
   EXPECT_EQ(read_options->layers, (std::vector<std::string>{"albedo", "variance"}));
-  EXPECT_EQ(read("Scene a.grf\nLayers all\n")->layers.size(), 5U);
+  EXPECT_EQ(read("Scene a.grf\nLayers all\n")->layers.size(), 6U);
   EXPECT_TRUE(read("Scene a.grf\nLayers none\n")->layers.empty());
 }
 
@@ -236,16 +236,16 @@ TEST_F(OpFile, ReportsValuesOfTheNewKinds) {
            "BPT_Exposure 101\nBPT_Pixel_SampleRes 1\nBPT_MaxTime -1\nBPT_Depth\n"));
   std::string messages;
   for (const grf::Diagnostic& entry : diagnostics_.entries()) messages += entry.message + "\n";
-  EXPECT_EQ(
-      messages,
-      "BPT_Layers: found 'nromal', expected one of albedo, normal, depth, variance, samples, all, none: "
-      "did you mean 'normal'?\n"
-      "BPT_DisplayServer: found '14158', expected HOST:PORT, such as 127.0.0.1:14158, or none\n"
-      "BPT_TargetError: found '0', expected a number between 0 and 1000\n"
-      "BPT_Exposure: found '101', expected a number from -100 to 100\n"
-      "BPT_Pixel_SampleRes: found 1 value, expected 2 (int int)\n"
-      "BPT_MaxTime: found '-1', expected a number between 0 and 1000000000\n"
-      "BPT_Depth: found 0 values, expected 1 (int)\n");
+  EXPECT_EQ(messages,
+            "BPT_Layers: found 'nromal', expected one of albedo, normal, depth, variance, error, samples, "
+            "all, none: "
+            "did you mean 'normal'?\n"
+            "BPT_DisplayServer: found '14158', expected HOST:PORT, such as 127.0.0.1:14158, or none\n"
+            "BPT_TargetError: found '0', expected a number between 0 and 1000\n"
+            "BPT_Exposure: found '101', expected a number from -100 to 100\n"
+            "BPT_Pixel_SampleRes: found 1 value, expected 2 (int int)\n"
+            "BPT_MaxTime: found '-1', expected a number between 0 and 1000000000\n"
+            "BPT_Depth: found 0 values, expected 1 (int)\n");
 }
 
 }  // namespace

@@ -161,12 +161,16 @@ void Compiler::build() {
   MeshBuilder builder(size_of_first_mesh());
   geometry_.meshes.emplace_back();
   geometry_.instances.emplace_back(Matrix44d());
+  std::uint32_t area_lights = 0;
+  std::uint32_t meshes = 0;
   for (const Placed& placed : placed_) {
+    const bool is_area_light = placed.mesh == nullptr;
+    const std::uint32_t number = is_area_light ? area_lights++ : meshes++;
     const auto first_emitter = static_cast<std::uint32_t>(emitters_.size());
     place(placed, builder);
     if (emitters_.size() == first_emitter) continue;
-    const std::string name = placed.mesh != nullptr ? placed.mesh->name : std::string();
-    geometry_.lamps.push_back({first_emitter, name, placed.block->location});
+    const std::string name = is_area_light ? std::string() : placed.mesh->name;
+    geometry_.lamps.push_back({first_emitter, name, is_area_light, number, placed.block->location});
   }
   for (const Vec3f& position : builder.mesh().positions) local_bounds_.extendBy(Vec3d(position));
   geometry_.meshes[0] = builder.finish();

@@ -86,6 +86,10 @@ struct Instance {
 struct Lamp {
   std::uint32_t first_emitter = 0;  ///< its emitters end where those of the next lamp begin
   std::string name;                 ///< of the mesh; may be empty
+  bool is_area_light = false;
+  /// Its place among the area lights, or among the meshes and mesh lights, of the scene, as grf::visit meets
+  /// them.
+  std::uint32_t number = 0;
   grf::SourceLocation location;
 };
 

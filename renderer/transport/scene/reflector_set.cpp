@@ -21,6 +21,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
+std::string brdf_text(const grf::BrdfModel* brdf) { return brdf != nullptr ? to_text(*brdf) : "diffuse"; }
+std::string scheme_text(const grf::PdfModel* scheme) { return scheme != nullptr ? to_text(*scheme) : "auto"; }
+
 std::uint32_t ReflectorSetBuilder::index_of(const grf::ResolvedSurface& surface) {
   if (surface.brdf != nullptr && !surface.brdf->terms.empty()) return index_by_text(surface);
   const auto [known, is_new] = index_by_place_.try_emplace({surface.brdf, surface.pdf});
@@ -36,6 +39,11 @@ std::uint32_t ReflectorSetBuilder::index_by_text(const grf::ResolvedSurface& sur
   const auto [known, is_new] = index_by_text_.emplace(text, 0);
   if (is_new) known->second = add(surface, text);
   return known->second;
+}
+
+bool ReflectorSetBuilder::is_overridden(const grf::ResolvedSurface& surface) const {
+  return override_->brdf.empty() ||
+         (brdf_text(surface.brdf) == override_->brdf && scheme_text(surface.pdf) == override_->scheme);
 }
 
 /// The cache key has the modification times of data files, since the text does not tell whether they changed.
@@ -72,9 +80,9 @@ std::uint32_t ReflectorSetBuilder::add(const grf::ResolvedSurface& surface, cons
   if (!brdf || !scheme) return 0;
   Pair pair{*brdf, *scheme, identity, of_before, {}, {}, {}, {}};
   pair.brdf_keyword = surface.brdf != nullptr ? surface.brdf->keyword : "diffuse";
-  pair.info.brdf = surface.brdf != nullptr ? to_text(*surface.brdf) : "diffuse";
+  pair.info.brdf = brdf_text(surface.brdf);
   pair.scheme_keyword = pdf != nullptr ? pdf->keyword : "auto";
-  pair.info.scheme = pdf != nullptr ? to_text(*pdf) : "auto";
+  pair.info.scheme = scheme_text(pdf);
   if (pdf != nullptr) pair.scheme_location = pdf->location;
   const std::string unsupported_reason = reflectance::unsupported_reason(*scheme, *brdf);
   if (!unsupported_reason.empty()) {

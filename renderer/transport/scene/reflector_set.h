@@ -16,13 +16,20 @@
 
 namespace transport {
 
-/// A sampling scheme that replaces those of the scene.
+/// A sampling scheme that replaces those of the scene, or only that of the faces with one BRDF and scheme.
 struct SchemeOverride {
   grf::PdfModel model;
   std::string factors_file;  ///< the scheme `factored` loads it instead of factoring; empty: none
+  std::string brdf = {};     ///< of these faces, as in TableInfo; empty: all faces
+  std::string scheme = {};   ///< likewise
 
   bool operator==(const SchemeOverride&) const = default;
 };
+
+/// Returns the text of a surface's BRDF, or of GRF's default for null.
+std::string brdf_text(const grf::BrdfModel* brdf);
+/// Returns the text of a surface's sampling scheme, or of the default for null.
+std::string scheme_text(const grf::PdfModel* scheme);
 
 /// The tables of a reflector.
 struct TableInfo {
@@ -85,8 +92,9 @@ class ReflectorSetBuilder {
     grf::SourceLocation scheme_location;
   };
 
+  bool is_overridden(const grf::ResolvedSurface& surface) const;
   const grf::PdfModel* scheme_of(const grf::ResolvedSurface& surface) const {
-    return override_ ? &override_->model : surface.pdf;
+    return override_ && is_overridden(surface) ? &override_->model : surface.pdf;
   }
   std::uint32_t index_by_text(const grf::ResolvedSurface& surface);
   std::uint32_t add(const grf::ResolvedSurface& surface, const std::string& text);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/image/image_statistics.h"
+#include "editor/image/shown_image.h"
 #include "renderer/transport/image/srgb.h"
 
 namespace editor {
@@ -99,6 +100,22 @@ TEST(ScreenColours, FalseColoursFollowTheScale) {
   ScreenSettings brighter = settings;
   brighter.exposure = 1;
   EXPECT_EQ(ScreenColours(brighter).scale().highest(), 0.5);
+}
+
+TEST(ScreenColours, OfErrorsAreFalseAndInPercent) {
+  for (const char* name : {"error", "diffuse.error"}) {
+    ScreenSettings settings = default_settings(name);
+    EXPECT_EQ(settings.colouring, Colouring::FalseColour) << name;
+    ShownImage layer;
+    layer.layer = name;
+    fit_range(layer, {}, settings);
+    EXPECT_TRUE(settings.is_relative_error);
+    EXPECT_FALSE(settings.is_radiance);
+    layer.layer = "samples";
+    fit_range(layer, {}, settings);
+    EXPECT_FALSE(settings.is_relative_error);
+  }
+  EXPECT_EQ(default_settings("samples").colouring, Colouring::Natural);
 }
 
 TEST(ScreenColours, SignsHaveColours) {

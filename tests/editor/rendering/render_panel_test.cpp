@@ -1,6 +1,7 @@
 #include "editor/rendering/render_panel.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QLabel>
@@ -15,6 +16,7 @@
 #include "editor/controls/number_box.h"
 #include "editor/document/document.h"
 #include "editor/document/op_document.h"
+#include "editor/image/scale_bar.h"
 #include "editor/jobs/job_list.h"
 #include "editor/rendering/error_curve.h"
 #include "editor/rendering/fitted_image.h"
@@ -107,6 +109,51 @@ TEST_F(RenderPanelTest, PreviewsByF5AndFollowsEdits) {
   EXPECT_FALSE(panel_.preview().is_on());
   EXPECT_FALSE(panel_.stop_action()->isEnabled());
   EXPECT_THAT(panel_.stop_action()->toolTip().toStdString(), HasSubstr("No render is running"));
+}
+
+TEST_F(RenderPanelTest, ShowsTheErrorOfThePreviewsPixels) {
+  open(4);
+  panel_.preview_action()->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return status().starts_with("Preview done"); }, test::Minute));
+  auto& image = *panel_.findChild<editor::FittedImage*>();
+  auto& scale = *control<editor::ScaleBar>("Scale of the error in the Render dock");
+  // A place of the image in fractions of its size; it is centred in the widget.
+  const auto pixel = [&image](double x, double y) {
+    const QSize drawn = QSize(96, 72).scaled(image.size(), Qt::KeepAspectRatio);
+    return image.grab().toImage().pixelColor(
+        (image.width() - drawn.width()) / 2 + static_cast<int>(x * drawn.width()),
+        (image.height() - drawn.height()) / 2 + static_cast<int>(y * drawn.height()));
+  };
+  EXPECT_FALSE(scale.isVisible());
+  EXPECT_EQ(pixel(0.02, 0.02), QColor(Qt::black)) << "nothing is there";
+  control<QCheckBox>("Error of pixels")->click();
+  EXPECT_TRUE(panel_.error_action()->isChecked());
+  ASSERT_TRUE(QTest::qWaitFor([&scale] { return scale.isVisible(); }, test::Minute));
+  // Where nothing is there is no error, the darkest blue of YlGnBu (Harrower and Brewer 2003).
+  EXPECT_TRUE(QTest::qWaitFor([&] { return pixel(0.02, 0.02) == QColor(8, 29, 88); }, test::Minute));
+  EXPECT_GT(pixel(0.5, 0.7).lightness(), 100) << "four samples of the lamp";
+  panel_.error_action()->trigger();
+  EXPECT_FALSE(control<QCheckBox>("Error of pixels")->isChecked());
+  EXPECT_FALSE(scale.isVisible());
+}
+
+// Few samples of a lamp are seen as noise; the eye sees none in an image that hardly differs from the truth.
+TEST_F(RenderPanelTest, SaysWhatTheEyeSeesOfTheNoise) {
+  const auto visible = [this] { return control<QLabel>("Visible noise")->text().toStdString(); };
+  open(2);
+  EXPECT_EQ(visible(), "");
+  panel_.preview_action()->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return status().starts_with("Preview done"); }, test::Minute));
+  EXPECT_THAT(visible(), testing::MatchesRegex("The eye sees noise: ΔE [0-9.]+, until about [0-9]+ samples"));
+  options::RenderOptions many = options();
+  many.samples = 4096;
+  options_.follow(many);
+  EXPECT_EQ(visible(), "") << "it is not known yet";
+  ASSERT_TRUE(QTest::qWaitFor([this] { return status().starts_with("Preview done"); }, test::Minute));
+  EXPECT_THAT(visible(), testing::StartsWith("The eye sees no noise: ΔE 0."));
+  panel_.render_action()->trigger();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return status().starts_with("Done"); }, test::Minute));
+  EXPECT_THAT(visible(), testing::StartsWith("The eye sees no noise: ΔE 0."));
 }
 
 TEST_F(RenderPanelTest, ListsThePreviewAmongTheJobsWhileItRenders) {

@@ -1,4 +1,5 @@
 // The pictures of the editor's manual: the real window in the states that the manual describes.
+#include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QDialog>
@@ -23,6 +24,7 @@
 #include "editor/panels/uv_panel.h"
 #include "editor/panels/uv_view.h"
 #include "editor/rendering/forecast_row.h"
+#include "editor/rendering/noise_window.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_windows.h"
 #include "editor/window/risk_dialog.h"
@@ -61,6 +63,36 @@ QPixmap render_window() {
   expect(QTest::qWaitFor([&] { return forecast.forecasts().front().seconds.has_value(); }, 5 * Minute),
          "the render was not forecast");
   return stage.picture();
+}
+
+/// The error of the pixels of a few samples, in the view.
+QPixmap error_view() {
+  Stage stage({1280, 800});
+  stage.open_as_rendered(Samples + "authored/still_life.grf");
+  auto& document = stage.window().document().options();
+  options::RenderOptions few = document.valid_options();
+  few.samples = 16;
+  document.follow(few);
+  stage.window().render_panel().error_action()->setChecked(true);
+  stage.draw_as(DisplayMode::Rendered);
+  expect(QTest::qWaitFor([&] { return stage.window().view().note().contains("100 %"); }, Minute),
+         "the view was not rendered");
+  stage.settle();
+  QTest::qWait(300);  // the last image is converted
+  return stage.picture();
+}
+
+/// Where the noise of a sample is from, with all changes tried.
+QPixmap noise_window() {
+  Stage stage;
+  stage.open_as_rendered(Samples + "authored/still_life.grf");
+  stage.window().render_panel().noise_action()->trigger();
+  auto& noise = *stage.window().render_panel().findChild<editor::NoiseWindow*>();
+  expect(QTest::qWaitFor([&] { return !noise.is_running() && noise.result(); }, 5 * Minute),
+         "no noise was found");
+  noise.try_all();
+  expect(QTest::qWaitFor([&] { return !noise.is_running(); }, 10 * Minute), "the changes were not tried");
+  return noise.grab();
 }
 
 QPixmap dock_with_models(const QString& name) {
@@ -352,6 +384,8 @@ std::vector<Picture> manual_pictures() {
       {"placing", placing},
       {"cameras", cameras},
       {"rendered", rendered_view},
+      {"error", error_view},
+      {"noise", noise_window},
       {"uv", uv_dock},
       {"surface", [] { return dock_with_models("surface"); }},
       {"brdf_sphere", [] { return brdf_dock(BrdfEditor::View::Sphere); }},

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "editor/image/scale_bar.h"
 #include "editor/rendering/render_panel.h"
 #include "tests/editor/window/authoring.h"
 
@@ -151,6 +152,43 @@ TEST_F(Rendered, IsDenoisedAndMarkedOnRequest) {
   EXPECT_TRUE(is_at(0.3, 0.3, Qt::red)) << "what has no noise stays as it is";
   leave();
   EXPECT_EQ(view().note(), "");
+}
+
+/// A square that emits light, at the left, is seen without noise; the one at the right is lit by two lamps.
+const char* const LitBesideEmitter =
+    "begin mesh light rgb (1,0,0) begin vertexs (-9,-9,0) (0,-9,0) (0,9,0) (-9,9,0) end vertexs "
+    "begin faces (0,1,2,3) end faces end mesh\n"
+    "begin mesh brdf diffuse kd=0.8 begin vertexs (0,-9,0) (9,-9,0) (9,9,0) (0,9,0) end vertexs "
+    "begin faces (0,1,2,3) end faces end mesh\n"
+    "light begin rgb (30,30,30) (3,2,9) (0,1,0) (1,0,0) end light begin rgb (50,50,50) (1,-4,8) (0,1,0) "
+    "(1,0,0) "
+    "end\n";
+
+TEST_F(Rendered, ShowsTheErrorOfPixelsInFalseColours) {
+  std::ofstream(folder_.path("noisy.grf")) << LitBesideEmitter;
+  std::ofstream(folder_.path("noisy.op")) << "BPT_Scene noisy.grf\nBPT_Viewer 0 0 5\nBPT_VLook 0 0 0\n"
+                                             "BPT_FieldOfView 30\nBPT_Samples 2\nBPT_Depth 1\n";
+  open(path("noisy.grf"));
+  enter();
+  ASSERT_TRUE(has_finished());
+  ASSERT_TRUE(is_at(0.2, 0.6, Qt::red));
+  auto* scale = view().findChild<ScaleBar*>();
+  ASSERT_NE(scale, nullptr);
+  EXPECT_FALSE(scale->isVisible());
+  QTest::keyClick(&window_, Qt::Key_X, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_TRUE(scale->isVisible());
+  EXPECT_GE(scale->x(), view().width() * 3 / 4);
+  EXPECT_TRUE(view().note().contains("error of pixels")) << view().note().toStdString();
+  // The darkest blue of YlGnBu (Harrower and Brewer 2003).
+  EXPECT_TRUE(is_at(0.2, 0.6, QColor(8, 29, 88))) << pixel(0.2, 0.6).name().toStdString();
+  // Two samples of lamps that are not equally bright have a relative error of 3 % to 100 %.
+  const QColor noisy = pixel(0.6, 0.6);
+  EXPECT_GT(noisy.lightness(), 100) << noisy.name().toStdString();
+  // An edit starts anew: no error is known at first.
+  QTest::keyClick(&window_, Qt::Key_X, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_FALSE(scale->isVisible());
+  EXPECT_TRUE(is_at(0.2, 0.6, Qt::red));
+  leave();
 }
 
 TEST_F(Rendered, NeedsPerspective) {
