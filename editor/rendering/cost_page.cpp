@@ -357,12 +357,13 @@ void CostPage::render_pair(Pairing pairing) {
   const CostCurve& b = study_.curves[static_cast<std::size_t>(b_->currentIndex())];
   const auto samples = pairing(a, b);
   if (!samples) return;
-  const auto picture = [this](const CostCurve& curve, int count) {
-    const QString title = tr("%1, %2 samples").arg(curve.name).arg(count);
-    Picture made{title, request()};
+  const auto picture = [this](const CostCurve& curve, int wanted) {
+    Picture made{{}, request()};
     made.request.options = with_settings(made.request.options, curve.op);
-    set_samples(made.request.options, count);
-    made.request.options.output = QFileInfo(run_.file()).dir().filePath(file_name_of(title)).toStdString();
+    const int count = set_samples(made.request.options, wanted);
+    made.title = tr("%1, %2 samples").arg(curve.name).arg(count);
+    const QDir folder = QFileInfo(run_.file()).dir();
+    made.request.options.output = folder.filePath(file_name_of(made.title)).toStdString();
     return made;
   };
   waiting_ = {picture(a, samples->a), picture(b, samples->b)};

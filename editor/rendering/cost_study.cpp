@@ -87,16 +87,18 @@ options::RenderOptions with_settings(options::RenderOptions render_options, cons
   return render_options;
 }
 
-void set_samples(options::RenderOptions& render_options, int samples) {
+int set_samples(options::RenderOptions& render_options, int samples) {
   render_options.target_error.reset();
   render_options.max_seconds.reset();
   if (render_options.integrator != "naive") {
     render_options.samples = samples;
-    return;
+    return samples;
   }
   render_options.samples.reset();
   render_options.pixel_samples = {1, 1};
-  render_options.secondary_rays_root = std::max(1, static_cast<int>(std::lround(std::sqrt(samples))));
+  const int root = std::max(1, static_cast<int>(std::lround(std::sqrt(samples))));
+  render_options.secondary_rays_root = root;
+  return root * root;
 }
 
 }  // namespace editor

@@ -118,10 +118,10 @@ TEST_F(Cost, FindsTheWinnerAndTakesIt) {
   EXPECT_THAT(verdict(), HasSubstr("Own wins"));
   const auto& table = test::named<QTableWidget>(page(), "Efficiencies");
   ASSERT_EQ(table.rowCount(), 2);
-  EXPECT_EQ(table.item(0, 0)->text(), "Own");
+  EXPECT_EQ(table.item(1, 0)->text().toStdString(), "Own");
   EXPECT_THAT(table.item(0, 2)->text().toStdString(), testing::MatchesRegex(".+ to .+"));
-  const CostCurve& own = page().study().curves[0];
-  EXPECT_GT(own.efficiency->low, 5 * page().study().curves[1].efficiency->high);
+  const CostCurve& own = page().study().curves[1];
+  EXPECT_GT(own.efficiency->low, 5 * page().study().curves[0].efficiency->high);
   EXPECT_THAT(test::named<QPlainTextEdit>(page(), "Settings of the winner").toPlainText().toStdString(),
               HasSubstr("BPT_Pdf_Name Own"));
   ASSERT_EQ(options().scheme, "");
@@ -175,7 +175,13 @@ TEST_F(Cost, IsLiveAndStopsAndContinues) {
   EXPECT_EQ(notice(), "");
   const QJsonArray rows = saved("continued.json")["rows"].toArray();
   ASSERT_EQ(rows.size(), 9);
-  for (const QJsonValue& before : stopped["rows"].toArray()) EXPECT_TRUE(rows.contains(before));
+  for (const QJsonValue& before : stopped["rows"].toArray()) {
+    const bool is_kept = std::any_of(rows.begin(), rows.end(), [&](const QJsonValue& row) {
+      return row["settings"] == before["settings"] && row["seeds"] == before["seeds"] &&
+             row["rounds"] == before["rounds"];
+    });
+    EXPECT_TRUE(is_kept);
+  }
 }
 
 TEST_F(Cost, SavesFigureTableAndStudy) {
@@ -231,14 +237,14 @@ TEST_F(Cost, ComparesPicturesInImages) {
   const auto pair = samples_at_equal_time(page().study().curves[0], page().study().curves[1]);
   ASSERT_TRUE(pair);
   click("At equal time");
-  const QString other = QString("Own, 64 samples");
+  const QString other = QString("Own, %1 samples").arg(std::pow(std::lround(std::sqrt(pair->b)), 2));
   const auto has_names = [&] {
     const auto* browser = window_.findChild<ImageBrowser*>();
     return browser != nullptr && browser->names().contains(other) && browser->names().size() == 2;
   };
   ASSERT_TRUE(QTest::qWaitFor(has_names, test::Minute)) << notice();
   const QString shown = window_.image_browser().shown_path();
-  EXPECT_THAT(shown.toStdString(), HasSubstr("Diffuse, " + std::to_string(pair->b) + " samples"));
+  EXPECT_THAT(shown.toStdString(), HasSubstr("Diffuse, 64 samples"));
 }
 
 }  // namespace
