@@ -4,6 +4,8 @@
 #include <QFormLayout>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMap>
+#include <QSet>
 #include <QVBoxLayout>
 
 #include "editor/appearance/theme.h"
@@ -98,6 +100,27 @@ CostSettings CostForm::settings() const {
   settings.samples = samples_->text().remove(' ');
   settings.rounds = static_cast<int>(rounds_->value());
   return settings;
+}
+
+void CostForm::show_settings_of(const CostStudy& study) {
+  QSet<QString> lines;
+  QStringList ways;
+  QMap<int, QString> samples;
+  for (const CostCurve& curve : study.curves) {
+    for (const QString& line : curve.op) {
+      lines << line;
+      const QString number = line.section(' ', 1);
+      if (line.startsWith("BPT_Branches ") && !ways.contains(number)) ways << number;
+    }
+    for (const CostMeasurement& row : curve.rows) samples[row.samples] = QString::number(row.samples);
+  }
+  for (int row = 0; row < schemes_->count(); ++row) {
+    QListWidgetItem& item = *schemes_->item(row);
+    item.setCheckState(lines.contains("BPT_Pdf_Name " + item.text()) ? Qt::Checked : Qt::Unchecked);
+  }
+  for (QCheckBox* box : {path_, naive_}) box->setChecked(lines.contains("BPT_Integrator " + box->text()));
+  ways_->setText(ways.join(','));
+  samples_->setText(samples.values().join(','));
 }
 
 bool CostForm::is_limited() const { return region_->isChecked(); }

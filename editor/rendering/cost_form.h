@@ -21,6 +21,8 @@ class CostForm : public QWidget {
 
   /// The settings, without a crop window.
   CostSettings settings() const;
+  /// Sets the compared settings to those of a study, so that it is continued with all its curves.
+  void show_settings_of(const CostStudy& study);
   /// Whether only the region of the mode Rendered is measured.
   bool is_limited() const;
 

@@ -26,8 +26,11 @@
 namespace editor {
 namespace {
 
+/// Formats a number with three digits, without an exponent where that is short.
 QString digits(const std::optional<double>& number) {
-  return number ? QString::number(*number, 'g', 3) : QString("\u2013");
+  if (!number) return QString("\u2013");
+  const bool is_large = *number >= 1000 && *number < 1e6;
+  return is_large ? QString::number(*number, 'f', 0) : QString::number(*number, 'g', 3);
 }
 
 QString file_name_of(const QString& title) {
@@ -42,6 +45,8 @@ plot::Chart chart_of(const CostStudy& study, const QString& x, const QString& y)
   chart.y = {y.toStdString(), true, {}, {}, 0};
   double low = std::numeric_limits<double>::infinity();
   double high = 0;
+  double least = low;
+  double most = 0;
   for (const CostCurve& curve : study.curves) {
     plot::Series series{curve.name.toStdString(), {}, {}, {}, true};
     for (const CostMeasurement& row : curve.rows) {
@@ -49,12 +54,16 @@ plot::Chart chart_of(const CostStudy& study, const QString& x, const QString& y)
       series.points.emplace_back(row.seconds, 100 * row.error);
       low = std::min(low, row.seconds);
       high = std::max(high, row.seconds);
+      least = std::min(least, 100 * row.error);
+      most = std::max(most, 100 * row.error);
     }
     chart.series.push_back(std::move(series));
   }
   if (high > 0) {
     chart.x.minimum = low / 1.3;
     chart.x.maximum = high * 1.3;
+    chart.y.minimum = least / 1.5;
+    chart.y.maximum = most * 2.5;  // below the legend
   }
   return chart;
 }
@@ -76,13 +85,21 @@ CostPage::CostPage(Document& document, RegionSource region, QWidget* parent)
       progress_(new QProgressBar(this)),
       verdict_(new QLabel(this)),
       op_(new QPlainTextEdit(this)) {
+  describe_views();
+  lay_out();
+  connect_runs();
+  show_study();
+}
+
+void CostPage::describe_views() {
   plot_->setAccessibleName(tr("Error over render time"));
   plot_->setToolTip(tr("Error (square root of relMSE, in percent) over render time; both are logarithmic"));
   table_->setAccessibleName(tr("Efficiencies"));
   table_->setToolTip(
       tr("Efficiency 1 / (relMSE x render seconds) with its 95 % interval over the rounds, and "
          "the time to an error of 1 % with building tables, in seconds"));
-  table_->setHorizontalHeaderLabels({tr("Curve"), tr("Efficiency"), tr("95 % interval"), tr("Time to 1 %")});
+  table_->setHorizontalHeaderLabels(
+      {tr("Curve"), tr("Efficiency"), tr("95 % interval"), tr("Seconds to 1 %")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->verticalHeader()->hide();
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -98,10 +115,17 @@ CostPage::CostPage(Document& document, RegionSource region, QWidget* parent)
   op_->setFixedHeight(13 * Grid);
   verdict_->setAccessibleName(tr("Verdict"));
   verdict_->setWordWrap(true);
+  QFont bold = verdict_->font();
+  bold.setBold(true);
+  verdict_->setFont(bold);
+}
+
+void CostPage::lay_out() {
   auto* left = new QVBoxLayout;
   left->addWidget(form_, 1);
   auto* right = new QVBoxLayout;
   right->setContentsMargins(0, Grid, Grid, Grid);
+  right->setSpacing(Grid);
   right->addLayout(make_run_row());
   right->addWidget(plot_, 1);
   right->addWidget(table_);
@@ -115,6 +139,9 @@ CostPage::CostPage(Document& document, RegionSource region, QWidget* parent)
   rows->addWidget(notice_);
   rows->addLayout(columns, 1);
   notice_->hide();
+}
+
+void CostPage::connect_runs() {
   connect(&run_, &CostRun::measured, this, [this](const CostStudy& study) {
     study_ = study;
     show_study();
@@ -136,14 +163,13 @@ CostPage::CostPage(Document& document, RegionSource region, QWidget* parent)
     fail(why);
     enable_buttons();
   });
-  show_study();
 }
 
 CostPage::~CostPage() = default;
 
 QPushButton* CostPage::button(const QString& text, const QString& tip, const std::function<void()>& pressed) {
   auto* result = new QPushButton(text, this);
-  result->setAccessibleName(QString(text).remove('&'));
+  result->setAccessibleName(text);
   result->setToolTip(tip);
   connect(result, &QPushButton::clicked, this, pressed);
   return result;
@@ -151,6 +177,7 @@ QPushButton* CostPage::button(const QString& text, const QString& tip, const std
 
 QHBoxLayout* CostPage::make_run_row() {
   auto* row = new QHBoxLayout;
+  row->setSpacing(Grid);
   start_ = button(tr("Start the study"), tr("Measure all curves afresh"), [this] { start({}); });
   continue_ =
       button(tr("Continue the study"), tr("Measure what the shown study lacks"), [this] { start(file_); });
@@ -162,11 +189,19 @@ QHBoxLayout* CostPage::make_run_row() {
   for (QPushButton* one : {start_, continue_, stop_}) row->addWidget(one);
   row->addWidget(progress_, 1);
   for (QPushButton* one : {open_, save_}) row->addWidget(one);
+  // The row's place tells what they are about; assistive technology has the whole names.
+  const std::pair<QPushButton*, QString> shown[] = {{start_, tr("Start")},
+                                                    {continue_, tr("Continue")},
+                                                    {stop_, tr("Stop")},
+                                                    {open_, tr("Open...")},
+                                                    {save_, tr("Save...")}};
+  for (const auto& [one, text] : shown) one->setText(text);
   return row;
 }
 
 QHBoxLayout* CostPage::make_winner_row() {
   auto* row = new QHBoxLayout;
+  row->setSpacing(Grid);
   row->addWidget(op_, 1);
   auto* buttons = new QVBoxLayout;
   take_ = button(tr("Take the winner"), {}, [this] { take_winner(); });
@@ -181,6 +216,7 @@ QHBoxLayout* CostPage::make_winner_row() {
 
 QHBoxLayout* CostPage::make_picture_row() {
   auto* row = new QHBoxLayout;
+  row->setSpacing(Grid);
   a_ = narrow_list(tr("Picture A"), tr("The curve whose largest sample count sets the time or the error"), 8,
                    this);
   b_ = narrow_list(tr("Picture B"), tr("The curve that gets the same time or error"), 8, this);
@@ -283,6 +319,10 @@ void CostPage::show_winner() {
 
 void CostPage::enable_buttons() {
   const bool is_running = run_.is_running();
+  QSizePolicy keeps_its_place = progress_->sizePolicy();
+  keeps_its_place.setRetainSizeWhenHidden(true);
+  progress_->setSizePolicy(keeps_its_place);
+  progress_->setVisible(is_running);
   const QString busy = is_running ? tr("A study is running.") : QString();
   const QString none = has_points(study_) ? busy : tr("There is no study.");
   enable(start_, tr("Measure all curves afresh"), busy);
@@ -322,6 +362,7 @@ void CostPage::open(const QString& path) {
   notice_->hide();
   study_ = *study;
   file_ = path;
+  form_->show_settings_of(study_);
   show_study();
 }
 

@@ -65,6 +65,9 @@ class CostPage : public QWidget {
   using Pairing = std::optional<SamplePair> (*)(const CostCurve& a, const CostCurve& b);
 
   QPushButton* button(const QString& text, const QString& tip, const std::function<void()>& pressed);
+  void describe_views();
+  void lay_out();
+  void connect_runs();
   QHBoxLayout* make_run_row();
   QHBoxLayout* make_picture_row();
   QHBoxLayout* make_winner_row();

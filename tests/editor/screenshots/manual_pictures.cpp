@@ -22,6 +22,7 @@
 #include "editor/panels/texture_row.h"
 #include "editor/panels/uv_panel.h"
 #include "editor/panels/uv_view.h"
+#include "editor/rendering/cost_page.h"
 #include "editor/rendering/forecast_row.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_windows.h"
@@ -60,6 +61,17 @@ QPixmap render_window() {
   const auto& forecast = *stage.window().findChild<editor::ForecastRow*>();
   expect(QTest::qWaitFor([&] { return forecast.forecasts().front().seconds.has_value(); }, 5 * Minute),
          "the render was not forecast");
+  return stage.picture();
+}
+
+/// The study of the manual's example: which scheme for the still life.
+QPixmap cost_page() {
+  Stage stage({1280, 900});
+  stage.open(Samples + "gallery/simple_scene.grf");
+  editor::CostPage& page = stage.window().cost_page();
+  page.open(Samples + "studies/cost/still_life.json");
+  stage.hide_docks({"scene", "object", "surface", "brdf", "lights", "cameras"});
+  stage.settle();
   return stage.picture();
 }
 
@@ -332,6 +344,7 @@ std::vector<Picture> manual_pictures() {
       {"window", window},
       {"window_empty", empty_window},
       {"render", render_window},
+      {"cost", cost_page},
       {"images", compared_images},
       {"options", option_window},
       {"viewer", viewer_window},

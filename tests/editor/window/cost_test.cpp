@@ -20,6 +20,7 @@
 #include "editor/image/image_browser.h"
 #include "editor/rendering/cost_page.h"
 #include "tests/editor/window/authoring.h"
+#include "tests/support/paths.h"
 
 namespace editor {
 namespace {
@@ -182,6 +183,29 @@ TEST_F(Cost, IsLiveAndStopsAndContinues) {
     });
     EXPECT_TRUE(is_kept);
   }
+}
+
+// The figures of the manual's example are those of the study that it shows.
+TEST_F(Cost, ShowsTheStudyOfTheManual) {
+  page().open(GRANADA_SOURCE_DIR "/samples/studies/cost/still_life.json");
+  EXPECT_THAT(verdict(), HasSubstr("Own, path wins"));
+  EXPECT_TRUE(test::named<QCheckBox>(page(), "Compare path").isChecked()) << "the form follows the study";
+  EXPECT_TRUE(test::named<QCheckBox>(page(), "Compare naive").isChecked());
+  QFile manual(GRANADA_SOURCE_DIR "/editor/MANUAL.md");
+  ASSERT_TRUE(manual.open(QIODevice::ReadOnly));
+  const std::string text = manual.readAll().toStdString();
+  const auto& table = test::named<QTableWidget>(page(), "Efficiencies");
+  ASSERT_EQ(table.rowCount(), 4);
+  for (int row = 0; row < 4; ++row) {
+    std::string line = "|";
+    for (int column = 0; column < 4; ++column)
+      line += " " + table.item(row, column)->text().toStdString() + " |";
+    EXPECT_THAT(text, HasSubstr(line));
+  }
+  const auto& curves = page().study().curves;
+  const auto pair = samples_at_equal_time(curves[0], curves[2]);
+  ASSERT_TRUE(pair);
+  EXPECT_THAT(text, HasSubstr(std::to_string(pair->b) + " samples of *Diffuse, path*"));
 }
 
 TEST_F(Cost, SavesFigureTableAndStudy) {
