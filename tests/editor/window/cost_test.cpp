@@ -112,6 +112,8 @@ class Cost : public Authoring {
 };
 
 TEST_F(Cost, FindsTheWinnerAndTakesIt) {
+  open_scene("160 120");  // renders of milliseconds: the time of shorter ones is mostly that of threads
+  set_rounds("8");
   EXPECT_FALSE(button("Take the winner").isEnabled());
   click("Start the study");
   ASSERT_TRUE(has_ended());
@@ -122,7 +124,7 @@ TEST_F(Cost, FindsTheWinnerAndTakesIt) {
   EXPECT_EQ(table.item(1, 0)->text().toStdString(), "Own");
   EXPECT_THAT(table.item(0, 2)->text().toStdString(), testing::MatchesRegex(".+ to .+"));
   const CostCurve& own = page().study().curves[1];
-  EXPECT_GT(own.efficiency->low, 5 * page().study().curves[0].efficiency->high);
+  EXPECT_GT(own.efficiency->value, 10 * page().study().curves[0].efficiency->value);
   EXPECT_THAT(test::named<QPlainTextEdit>(page(), "Settings of the winner").toPlainText().toStdString(),
               HasSubstr("BPT_Pdf_Name Own"));
   ASSERT_EQ(options().scheme, "");
