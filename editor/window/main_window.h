@@ -20,6 +20,7 @@ class BakeController;
 class BrdfEditor;
 class CameraPanel;
 class BrdfController;
+class CostPage;
 class EnvironmentStore;
 class FileActions;
 class ImageBrowser;
@@ -83,6 +84,8 @@ class MainWindow : public QMainWindow {
   void show_scene();
   /// The image view, which is created on first use.
   ImageBrowser& image_browser();
+  /// Goes to the page Cost, which is created on first use.
+  CostPage& cost_page();
 
  protected:
   void childEvent(QChildEvent* event) override;
@@ -160,6 +163,7 @@ class MainWindow : public QMainWindow {
   BakeController* bake_;
   RecoveryController* recovery_;
   ImageController* images_ = nullptr;
+  CostPage* cost_ = nullptr;
   std::unique_ptr<ShortcutKeys> keys_;  ///< of the menus
   bool refuses_studio_ = false;         ///< for the model that was imported
   QMenu* image_menu_ = nullptr;         ///< shown once there are images

@@ -10,10 +10,12 @@
 #include "editor/controls/actions.h"
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/notice_bar.h"
+#include "editor/image/image_browser.h"
 #include "editor/panels/camera_panel.h"
 #include "editor/panels/light_panel.h"
 #include "editor/panels/object_panel.h"
 #include "editor/panels/uv_panel.h"
+#include "editor/rendering/cost_page.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_window.h"
 #include "editor/view/scene_view.h"
@@ -24,6 +26,7 @@
 #include "editor/window/material_actions.h"
 #include "editor/window/mesh_actions.h"
 #include "editor/window/object_actions.h"
+#include "editor/window/pages.h"
 #include "editor/window/preferences_dialog.h"
 #include "editor/window/recovery_controller.h"
 #include "editor/window/render_controller.h"
@@ -190,6 +193,12 @@ void MainWindow::make_window_menu() {
   docks_.fill(*menu);
   menu->addAction(new_action(*this, {tr("&Images"), {}, QKeySequence("Ctrl+7"), tr("Show the image view")},
                              [this] { image_browser(); }));
+  menu->addAction(new_action(*this,
+                             {tr("&Cost"),
+                              {},
+                              QKeySequence("Ctrl+Alt+8"),
+                              tr("Compare sampling schemes and integrators by their error over time")},
+                             [this] { cost_page(); }));
   menu->addAction(new_action(*this, {tr("3D &view"), {}, QKeySequence("Ctrl+`"), tr("Go to the 3D view")},
                              [this] { show_scene(); }));
   menu->addSeparator();
@@ -205,6 +214,19 @@ void MainWindow::make_window_menu() {
     button->setAccessibleName(dock->windowTitle());
     statusBar()->addPermanentWidget(button);
   }
+}
+
+CostPage& MainWindow::cost_page() {
+  if (cost_ == nullptr) {
+    cost_ = new CostPage(
+        document_, [this] { return rendered_mode_->framed_region(); }, pages_);
+    connect(cost_, &CostPage::comparison_requested, this,
+            [this](const QString& path, const QString& other, const QString& name) {
+              image_browser().compare(path, other, name);
+            });
+  }
+  pages_->show_page(*cost_, tr("Cost"), tr("Error over render time of schemes and integrators"));
+  return *cost_;
 }
 
 void MainWindow::open_tool(const Tool& tool) {

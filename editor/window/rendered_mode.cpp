@@ -12,6 +12,7 @@
 #include "editor/appearance/theme.h"
 #include "editor/controls/actions.h"
 #include "editor/image/scale_bar.h"
+#include "editor/rendering/cost_page.h"
 #include "editor/rendering/fitted_image.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/view/scene_view.h"
@@ -87,10 +88,8 @@ bool RenderedMode::is_on() const { return view_.mode() == DisplayMode::Rendered;
 
 void RenderedMode::follow_view() {
   if (is_on() && !view_.camera().is_orthographic() && view_.isVisible()) {
-    const double ratio = view_.devicePixelRatioF();
-    const QSize size(qRound(view_.width() * ratio), qRound(view_.height() * ratio));
     panel_.set_preview_view(
-        PreviewView{size.expandedTo({1, 1}), view_.camera().view(), denoise_->isChecked(), preview_region()});
+        PreviewView{size_in_pixels(), view_.camera().view(), denoise_->isChecked(), preview_region()});
   } else {
     panel_.set_preview_view({});
     latest_.reset();
@@ -106,6 +105,19 @@ void RenderedMode::take(const SharedImage& image, const transport::RenderProgres
   done_ = progress.done;
   convert();
   show_note();
+}
+
+QSize RenderedMode::size_in_pixels() const {
+  const double ratio = view_.devicePixelRatioF();
+  return QSize(qRound(view_.width() * ratio), qRound(view_.height() * ratio)).expandedTo({1, 1});
+}
+
+std::optional<FramedRegion> RenderedMode::framed_region() const {
+  if (!region_ || view_.camera().is_orthographic()) return std::nullopt;
+  const QSize size = size_in_pixels();
+  return FramedRegion{view_.camera().view(),
+                      {size.width(), size.height()},
+                      job::pixels_of(*preview_region(), size.width(), size.height())};
 }
 
 std::optional<job::PreviewRegion> RenderedMode::preview_region() const {

@@ -19,6 +19,7 @@ class QWidget;
 
 namespace editor {
 
+struct FramedRegion;
 class RenderPanel;
 class ScaleBar;
 class SceneView;
@@ -38,6 +39,8 @@ class RenderedMode : public QObject {
   void fill(QMenu& menu);
   /// The region in fractions of the view's width and height, from the upper left; empty for the whole view.
   const std::optional<QRectF>& region() const { return region_; }
+  /// The region in pixels of the view, with its camera; nothing without a region, or in an orthographic view.
+  std::optional<FramedRegion> framed_region() const;
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -53,6 +56,7 @@ class RenderedMode : public QObject {
   void convert();
   SharedImage shown_error() const;
   void show_error_scale();
+  QSize size_in_pixels() const;
   std::optional<job::PreviewRegion> preview_region() const;
   void show_converted();
   void show_note();

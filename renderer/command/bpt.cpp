@@ -330,8 +330,16 @@ void add_cost(CLI::App& app, command::CostArguments& arguments) {
                    "renders per row, with different seeds: the least time and the mean error count (2)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
+  cost->add_option("--crop", arguments.crop,
+                   "measure only these pixels of the image: x and y of the upper left, width and height")
+      ->type_name("X Y W H")
+      ->expected(4);
+  cost->add_option("--continue", arguments.continued,
+                   "keep the rows of an earlier study, and measure only missing rows and rounds")
+      ->type_name("BASE.json");
   cost->add_option("-o,--output", arguments.output,
-                   "write BASE.csv, BASE.md and BASE.svg (the scene's name with -cost)")
+                   "write BASE.csv, BASE.md, BASE.svg and BASE.json, and the rendered reference, "
+                   "BASE-reference.pfm (the scene's name with -cost)")
       ->type_name("BASE");
   for (const options::OptionInfo& option : options::option_table()) {
     for (const char* flag : {"--size", "--environment", "--ris", "--seed", "--threads"}) {

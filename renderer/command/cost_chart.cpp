@@ -94,8 +94,9 @@ plot::Svg cost_chart(const CostResult& result) {
   plot::Svg svg(2 * width + 30, ChartHeight + 20);
   plot::Chart over_time =
       chart_of(result, "render time, s", [](const CostRow& row) { return row.render_seconds; });
-  over_time.title = fmt::format("{}, {}x{} pixels, {} thread{}", grf::file_name(result.scene), result.width,
-                                result.height, result.threads, result.threads == 1 ? "" : "s");
+  over_time.title =
+      fmt::format("{}, {}x{} pixels, {} thread{}", grf::file_name(result.scene), result.width, result.height,
+                  result.conditions.threads, result.conditions.threads == 1 ? "" : "s");
   const plot::Chart over_samples = chart_of(
       result, "samples per pixel", [](const CostRow& row) { return static_cast<double>(row.samples); });
   draw(over_time, {{10, 10}, width, ChartHeight}, svg);

@@ -15,7 +15,9 @@
 
 #include "grf/write.h"
 #include "renderer/command/cost_report.h"
+#include "renderer/command/cost_study.h"
 #include "renderer/command/cost_sweep.h"
+#include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_run.h"
 #include "renderer/job/render_job.h"
@@ -27,6 +29,7 @@ using grf::Diagnostics;
 using grf::ExitCode;
 using options::RenderOptions;
 using transport::CompiledScene;
+using transport::CropWindow;
 using transport::PixelSampling;
 
 bool is_naive(const CostLine& line) { return line.options.integrator == "naive"; }
@@ -34,8 +37,9 @@ bool is_naive(const CostLine& line) { return line.options.integrator == "naive";
 /// Makes the subjects of lines; lines that need the same tables share a compiled scene.
 class Subjects {
  public:
-  Subjects(const grf::Scene& scene, bool has_centred_rays, Diagnostics& diagnostics)
-      : scene_(scene), has_centred_rays_(has_centred_rays), diagnostics_(diagnostics) {}
+  Subjects(const grf::Scene& scene, bool has_centred_rays, const std::optional<CropWindow>& crop,
+           Diagnostics& diagnostics)
+      : scene_(scene), has_centred_rays_(has_centred_rays), crop_(crop), diagnostics_(diagnostics) {}
 
   /// Returns nothing after an error.
   std::optional<CostSubject> of(const CostLine& line) {
@@ -51,6 +55,7 @@ class Subjects {
     if (planned->settings.integrator.environment) environment_ = planned->settings.integrator.environment;
     if (planned->settings.backplate) backplate_ = planned->settings.backplate;
     if (has_centred_rays_) planned->settings.pixel_sampling = PixelSampling::Centre;
+    planned->settings.crop = crop_;
     return CostSubject{std::move(compiled), std::move(planned->settings)};
   }
 
@@ -68,6 +73,7 @@ class Subjects {
 
   const grf::Scene& scene_;
   bool has_centred_rays_;
+  const std::optional<CropWindow>& crop_;
   Diagnostics& diagnostics_;
   std::map<std::string, std::shared_ptr<const CompiledScene>> compiled_;
   // Shared by all lines, so read once.
@@ -100,11 +106,11 @@ RenderOptions for_sweep(RenderOptions render_options) {
   return render_options;
 }
 
-bool prepare_lines(const std::vector<CostLine>& lines, const RenderOptions& render_options, CostPlan& plan,
-                   Diagnostics& diagnostics) {
+bool prepare_lines(const std::vector<CostLine>& lines, const RenderOptions& render_options,
+                   const std::optional<CropWindow>& crop, CostPlan& plan, Diagnostics& diagnostics) {
   const auto scene = job::read_scene(render_options, diagnostics);
   if (!scene) return false;
-  Subjects subjects(*scene, std::any_of(lines.begin(), lines.end(), is_naive), diagnostics);
+  Subjects subjects(*scene, std::any_of(lines.begin(), lines.end(), is_naive), crop, diagnostics);
   // The first compilation takes longer, because threads start: no line is to be charged for that.
   auto reference = subjects.of(reference_line(lines, render_options));
   if (!reference) return false;
@@ -117,15 +123,31 @@ bool prepare_lines(const std::vector<CostLine>& lines, const RenderOptions& rend
   return true;
 }
 
+/// Returns false, with an error message, if the crop window is not in the image.
+bool read_crop(const CostArguments& arguments, const options::ImageSize& size,
+               std::optional<CropWindow>& crop) {
+  if (arguments.crop.empty()) return true;
+  crop = {arguments.crop[0], arguments.crop[1], arguments.crop[2], arguments.crop[3]};
+  const bool is_inside = crop->x >= 0 && crop->y >= 0 && crop->width > 0 && crop->height > 0 &&
+                         crop->width <= size.width - crop->x && crop->height <= size.height - crop->y;
+  if (!is_inside) {
+    fmt::print(stderr, "error: --crop: expected pixels of the image, which has {} x {}\n", size.width,
+               size.height);
+  }
+  return is_inside;
+}
+
 bool read_reference(const std::string& path, const options::ImageSize& size, CostPlan& plan,
                     Diagnostics& diagnostics) {
   if (path.empty()) return true;
-  plan.given = transport::read_image(path, diagnostics);
-  if (!plan.given) return false;
-  if (plan.given->width == size.width && plan.given->height == size.height) return true;
+  auto image = transport::read_image(path, diagnostics);
+  if (!image) return false;
+  plan.given = CostReference{std::move(*image)};
+  const transport::Image& given = plan.given->image;
+  if (given.width == size.width && given.height == size.height) return true;
   diagnostics.error(grf::whole_file(path),
                     fmt::format("the reference has {} x {} pixels, expected {} x {}, the size of the renders",
-                                plan.given->width, plan.given->height, size.width, size.height));
+                                given.width, given.height, size.width, size.height));
   return false;
 }
 
@@ -153,7 +175,51 @@ std::string base_of(const CostArguments& arguments, const RenderOptions& render_
 bool can_write(const std::string& base, Diagnostics& diagnostics) {
   return can_write_file(base + ".csv", "table", diagnostics) &&
          can_write_file(base + ".md", "report", diagnostics) &&
-         can_write_file(base + ".svg", "picture", diagnostics);
+         can_write_file(base + ".svg", "picture", diagnostics) &&
+         can_write_file(base + ".json", "study", diagnostics);
+}
+
+std::string reference_file_of(const std::string& base) { return base + "-reference.pfm"; }
+
+/// Returns the conditions under which all lines are measured.
+CostConditions conditions_of(const CostArguments& arguments, const std::vector<CostLine>& lines,
+                             RenderOptions of_image, const Diagnostics& diagnostics) {
+  const RenderOptions defaults;
+  static_cast<options::SchemeOptions&>(of_image) = {};
+  of_image.integrator = defaults.integrator;
+  of_image.depth = defaults.depth;
+  of_image.split_count = defaults.split_count;
+  of_image.points = defaults.points;
+  of_image.precision = defaults.precision;
+  of_image.seed = defaults.seed;
+  const auto [options, files, program] = fingerprint_of(of_image, diagnostics.files());
+  CostConditions conditions;
+  conditions.fingerprint =
+      fmt::format("{:08x}{:08x}{:08x}-{}", options, files, program, fmt::join(arguments.crop, ","));
+  conditions.threads =
+      of_image.threads > 0 ? of_image.threads : static_cast<int>(std::thread::hardware_concurrency());
+  conditions.has_centred_rays = std::any_of(lines.begin(), lines.end(), is_naive);
+  return conditions;
+}
+
+/// Takes the reference and the rows of the same settings from an earlier study, if there is one.
+bool take_earlier(const CostArguments& arguments, const std::vector<CostLine>& lines,
+                  const CostConditions& conditions, CostPlan& plan, Diagnostics& diagnostics) {
+  if (arguments.continued.empty()) return true;
+  auto saved = read_cost_study(arguments.continued, diagnostics);
+  if (!saved || !check_conditions(*saved, conditions, arguments.continued, diagnostics)) return false;
+  auto image = transport::read_image(saved->reference_image, diagnostics);
+  if (!image) return false;
+  plan.given = CostReference{std::move(*image), saved->reference_seconds, saved->reference_relmse};
+  plan.reference_samples = saved->reference_samples;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const SavedCost::Row& row : saved->rows) {
+      if (row.key != key_of(lines[i])) continue;
+      plan.known.push_back(row.row);
+      plan.known.back().line = i;
+    }
+  }
+  return true;
 }
 
 std::size_t bytes_of(const CompiledScene& scene) {
@@ -167,10 +233,16 @@ std::vector<CostLineResult> results_of(const CostSweep& sweep, const CostPlan& p
   std::vector<CostLineResult> results;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const CompiledScene& scene = *plan.lines[i].scene;
-    results.push_back({lines[i], scene.table_seconds(), bytes_of(scene), {}, {}});
+    results.push_back({lines[i], scene.table_seconds(), bytes_of(scene), {}, {}, {}});
   }
   for (CostRow& row : sweep.rows()) results[row.line].rows.push_back(std::move(row));
   const double relmse = sweep.reference() ? sweep.reference()->relmse : 0;
+  std::vector<CostRounds> rounds(results.size());
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    for (const CostRow& row : results[i].rows) rounds[i][row.samples] = row.rounds;
+  }
+  const auto efficiencies = efficiencies_of(rounds, relmse);
+  for (std::size_t i = 0; i < results.size(); ++i) results[i].efficiency = efficiencies[i];
   for (CostLineResult& result : results) {
     std::vector<CostPoint> points;
     for (const CostRow& row : result.rows) {
@@ -181,37 +253,64 @@ std::vector<CostLineResult> results_of(const CostSweep& sweep, const CostPlan& p
   return results;
 }
 
-CostResult result_of(const CostSweep& sweep, const CostPlan& plan, const CostArguments& arguments,
-                     const std::vector<CostLine>& lines, const RenderOptions& render_options) {
+/// What a study is about, which its results repeat.
+struct CostTask {
+  const CostArguments& arguments;
+  const std::vector<CostLine>& lines;
+  const RenderOptions& render_options;
+  std::string base;
+  CostConditions conditions;
+  std::optional<CropWindow> crop;
+};
+
+CostResult result_of(const CostSweep& sweep, const CostPlan& plan, const CostTask& task) {
   CostResult result;
-  result.scene = render_options.scene;
-  result.width = render_options.size.width;
-  result.height = render_options.size.height;
-  result.threads = render_options.threads > 0 ? render_options.threads
-                                              : static_cast<int>(std::thread::hardware_concurrency());
-  result.rounds = arguments.rounds;
-  result.has_centred_rays = std::any_of(lines.begin(), lines.end(), is_naive);
-  result.reference_path = arguments.reference;
+  result.scene = task.render_options.scene;
+  result.width = task.render_options.size.width;
+  result.height = task.render_options.size.height;
+  result.crop = task.crop;
+  result.rounds = task.arguments.rounds;
+  result.conditions = task.conditions;
+  result.reference_path = task.arguments.reference;
   result.reference_samples = plan.reference_samples;
   result.reference_depth = plan.reference.settings.integrator.depth;
-  if (sweep.reference() && arguments.reference.empty()) {
+  if (sweep.reference() && task.arguments.reference.empty()) {
     result.reference_seconds = sweep.reference()->seconds;
     result.reference_error = std::sqrt(sweep.reference()->relmse);
+    result.reference_image = grf::file_name(reference_file_of(task.base));
   }
-  result.lines = results_of(sweep, plan, lines);
+  result.lines = results_of(sweep, plan, task.lines);
+  std::vector<std::optional<CostEfficiency>> efficiencies;
+  for (const CostLineResult& line : result.lines) efficiencies.push_back(line.efficiency);
+  result.winner = winner_of(efficiencies);
   return result;
 }
 
-bool report(const CostResult& result, const std::string& base, const CostArguments& arguments,
-            ProgressReport& progress, const transport::RenderProgress& last) {
+/// Shows progress as `ProgressReport` does and, on JSON lines, the study so far after each measurement.
+void watch(const CostSweep& sweep, const CostPlan& plan, const CostTask& task, ProgressReport& progress,
+           std::size_t& shown) {
+  progress.show(sweep.progress());
+  if (task.arguments.progress != "json") return;
+  const std::size_t measured = sweep.measured();
+  if (measured == shown) return;
+  shown = measured;
+  fmt::print("{}", json_of(result_of(sweep, plan, task), true));
+  std::fflush(stdout);
+}
+
+bool report(const CostSweep& sweep, const CostResult& result, const CostTask& task,
+            ProgressReport& progress) {
   Diagnostics diagnostics;
-  const bool written = write_cost_files(result, base, diagnostics);
-  progress.finish(last, base + ".svg");
+  bool written = write_cost_files(result, task.base, diagnostics);
+  if (!result.reference_image.empty()) {
+    written &= transport::write_image({sweep.reference()->image}, reference_file_of(task.base), diagnostics);
+  }
+  progress.finish(sweep.progress(), task.base + ".svg");
   fmt::print(stderr, "{}", diagnostics.to_text());
-  if (arguments.json) {
-    fmt::print("{}", json_of(result, arguments.progress == "json"));
-  } else if (arguments.progress != "json") {
-    fmt::print("{}\n{}.csv, .md and .svg\n", text_of(result), base);
+  if (task.arguments.json) {
+    fmt::print("{}", json_of(result, task.arguments.progress == "json"));
+  } else if (task.arguments.progress != "json") {
+    fmt::print("{}\n{}.csv, .md, .svg and .json\n", text_of(result), task.base);
   }
   return written;
 }
@@ -238,22 +337,30 @@ ExitCode cost(const CostArguments& arguments) {
   const auto samples = sample_counts(arguments.samples);
   const auto lines = cost_lines(arguments.sweeps, *render_options);
   if (!samples || !lines || !can_divide(*lines, *samples)) return ExitCode::BadCommandLine;
-  const std::string base = base_of(arguments, *render_options);
+  CostTask task = {arguments, *lines, *render_options, base_of(arguments, *render_options), {}, {}};
+  if (!read_crop(arguments, render_options->size, task.crop)) return ExitCode::BadCommandLine;
+  const options::ImageSize size =
+      task.crop ? options::ImageSize{task.crop->width, task.crop->height} : render_options->size;
   CostPlan plan;
   plan.samples = *samples;
   plan.reference_samples = reference_samples_of(arguments, samples->back());
   plan.rounds = arguments.rounds;
   plan.seed = render_options->seed;
-  const bool is_ready = can_write(base, diagnostics) &&
-                        read_reference(arguments.reference, render_options->size, plan, diagnostics) &&
-                        prepare_lines(*lines, *render_options, plan, diagnostics);
+  bool is_ready = can_write(task.base, diagnostics) &&
+                  read_reference(arguments.reference, size, plan, diagnostics) &&
+                  prepare_lines(*lines, *render_options, task.crop, plan, diagnostics);
+  if (is_ready) {
+    task.conditions = conditions_of(arguments, *lines, *render_options, diagnostics);
+    is_ready = take_earlier(arguments, *lines, task.conditions, plan, diagnostics);
+  }
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (!is_ready) return ExitCode::BadInput;
   sweep.emplace(plan);
   ProgressReport progress(progress_style_of(arguments.progress));
-  run_watched(*sweep, signal_handler, [&] { progress.show(sweep->progress()); });
-  const CostResult result = result_of(*sweep, plan, arguments, *lines, *render_options);
-  if (!report(result, base, arguments, progress, sweep->progress())) return ExitCode::BadInput;
+  std::size_t shown = 0;
+  run_watched(*sweep, signal_handler, [&] { watch(*sweep, plan, task, progress, shown); });
+  watch(*sweep, plan, task, progress, shown);
+  if (!report(*sweep, result_of(*sweep, plan, task), task, progress)) return ExitCode::BadInput;
   return signal_handler.was_signalled() ? ExitCode::Interrupted : ExitCode::Done;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "grf/exit_code.h"
 #include "renderer/command/cost_lines.h"
@@ -17,6 +18,8 @@ struct CostArguments {
   std::string reference;      ///< path of an image; empty: the reference is rendered
   int reference_samples = 0;  ///< samples per pixel; 0: 16 times the most of the sweep
   int rounds = 2;
+  std::vector<int> crop;         ///< x, y, width and height in pixels; empty: the whole image
+  std::string continued;         ///< BASE.json of an earlier study; empty: none
   std::string output;            ///< BASE; empty: the scene's name with -cost
   std::string progress = "bar";  ///< or `json`, or `none`
   bool json = false;

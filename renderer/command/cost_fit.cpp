@@ -33,13 +33,12 @@ std::optional<PowerLaw> fit_power_law(std::span<const double> x, std::span<const
 }
 
 CostFit fit_cost(std::span<const CostPoint> points, double reference_relmse) {
-  constexpr double WellAbove = 4;
   CostFit fit;
   std::vector<double> samples;
   std::vector<double> seconds;
   std::vector<double> errors;
   for (const CostPoint& point : points) {
-    if (!(point.relmse > 0 && point.relmse >= WellAbove * reference_relmse)) continue;
+    if (!(point.relmse > 0 && point.relmse >= WellAboveReference * reference_relmse)) continue;
     fit.used.push_back(point);
     samples.push_back(point.samples);
     seconds.push_back(point.seconds);

@@ -34,6 +34,9 @@ struct CostFit {
   std::vector<CostPoint> used;  ///< the points that entered the fits
 };
 
+/// Rows whose relMSE is less than this many times the reference's say little about their line.
+inline constexpr double WellAboveReference = 4;
+
 /// Fits the error after subtracting the reference's relMSE from each point's. Points with less than four
 /// times the reference's relMSE are left out.
 CostFit fit_cost(std::span<const CostPoint> points, double reference_relmse);

@@ -31,6 +31,7 @@ struct AxisOption {
 constexpr std::string_view PdfFlag = "--pdf";
 constexpr AxisOption AxisOptions[] = {{"--integrator", "BPT_Integrator", "", "{}"},
                                       {"--depth", "BPT_Depth", "", "depth {}"},
+                                      {"--branches", "BPT_Branches", "", "{} ways"},
                                       {"--points", "BPT_Points", "", "{}"},
                                       {"--precision", "BPT_Precision", "", "{}"},
                                       {"--trees", "BPT_QT_Precomputed", "adaptive", "{} trees"},
@@ -184,6 +185,7 @@ const std::vector<SweepAxis>& sweep_axes() {
        "sampling schemes: words of BPT_Pdf_Name, or PDFs as in a scene, such as \"hemisphere exp=50\""},
       {"--integrator", "naive,path", "integrators; with naive, all camera rays go through pixel centres"},
       {"--depth", "1,2,...", "path depths; the reference has the greatest of these and the scene's"},
+      {"--branches", "1,2,...", "ways from the first hit, for path"},
       {"--points", "sobol,independent", "samplers"},
       {"--precision", "float,double", "precisions of BRDF evaluation"},
       {"--trees", "30,90,...", "numbers of quadtrees over theta, for Disk (adaptive)"},
@@ -191,6 +193,29 @@ const std::vector<SweepAxis>& sweep_axes() {
       {"--factors", "2x1,4x4,...", "numbers of factors J and K, for Factored"},
   };
   return axes;
+}
+
+std::string key_of(const CostLine& line) {
+  const RenderOptions& options = line.options;
+  return fmt::format("{}; {} depth {} ways {} {} {}", line.scheme ? grf::to_text(*line.scheme) : "scene",
+                     options.integrator, options.depth, options.split_count, options.points,
+                     options.precision);
+}
+
+std::vector<std::string> op_lines_of(const CostLine& line) {
+  std::vector<std::string> lines;
+  if (options::scheme_model(line.options) != line.scheme) return lines;
+  for (const options::OptionInfo& option : options::option_table()) {
+    const bool is_of_line =
+        option.key == "BPT_Pdf_Name" || std::ranges::any_of(AxisOptions, [&](const AxisOption& axis) {
+          return axis.key == option.key && belongs_to(axis, line);
+        });
+    if (!is_of_line) continue;
+    std::string text(option.key);
+    for (const std::string& word : options::option_words(line.options, option)) text += " " + word;
+    if (text != option.key) lines.push_back(std::move(text));
+  }
+  return lines;
 }
 
 std::vector<std::string> split_list(const std::string& text) {

@@ -34,6 +34,13 @@ struct CostLine {
   std::optional<grf::PdfModel> scheme;  ///< checked; nothing where each BRDF has its own
 };
 
+/// Returns the settings of a line as text, which is the same for lines that render the same.
+std::string key_of(const CostLine& line);
+
+/// Returns the OP lines that give a render the settings of a line; empty if its scheme has
+/// parameters that only a PDF of a scene can have.
+std::vector<std::string> op_lines_of(const CostLine& line);
+
 /// Splits a list at commas outside parentheses.
 std::vector<std::string> split_list(const std::string& text);
 

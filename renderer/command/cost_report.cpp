@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "grf/text_file.h"
+#include "grf/write.h"
 #include "renderer/command/cost_chart.h"
 #include "renderer/command/json_values.h"
 #include "renderer/command/render_progress.h"
@@ -24,6 +25,7 @@ ordered_json json_of_line(const CostLineResult& result) {
   json["pdf"] = result.line.pdf;
   json["integrator"] = options.integrator;
   json["depth"] = options.depth;
+  json["branches"] = options.split_count;
   json["points"] = options.points;
   json["precision"] = options.precision;
   return json;
@@ -40,7 +42,21 @@ ordered_json json_of_row(const CostLineResult& result, const CostRow& row) {
   json["efficiency"] = number_or_null(row.efficiency());
   json["bytes"] = result.bytes;
   json["seeds"] = row.seeds;
+  json["rounds"] = ordered_json::array();
+  for (const CostRound& round : row.rounds) {
+    json["rounds"].push_back({{"render_seconds", round.seconds}, {"relmse", round.relmse}});
+  }
+  json["settings"] = key_of(result.line);
   return json;
+}
+
+ordered_json json_of(const std::optional<CostEfficiency>& efficiency) {
+  if (!efficiency) return nullptr;
+  return {{"value", efficiency->value}, {"low", efficiency->low}, {"high", efficiency->high}};
+}
+
+std::optional<double> factor_of(const std::optional<PowerLaw>& law) {
+  return law ? std::optional(law->factor) : std::nullopt;
 }
 
 std::optional<double> exponent_of(const std::optional<PowerLaw>& law) {
@@ -53,7 +69,17 @@ ordered_json json_of_fit(const CostLineResult& result) {
   json["exponent_over_samples"] = number_or_null(exponent_of(result.fit.over_samples));
   json["seconds_for_1_percent"] = number_or_null(result.seconds_for_1_percent());
   json["rows_used"] = result.fit.used.size();
+  json["factor"] = number_or_null(factor_of(result.fit.over_seconds));
+  json["factor_over_samples"] = number_or_null(factor_of(result.fit.over_samples));
+  json["efficiency"] = json_of(result.efficiency);
+  json["op"] = op_lines_of(result.line);
+  json["grf"] = result.line.scheme ? ordered_json(grf::to_text(*result.line.scheme)) : ordered_json(nullptr);
   return json;
+}
+
+ordered_json json_of(const std::optional<transport::CropWindow>& crop) {
+  if (!crop) return nullptr;
+  return {crop->x, crop->y, crop->width, crop->height};
 }
 
 ordered_json json_of_reference(const CostResult& result) {
@@ -64,6 +90,8 @@ ordered_json json_of_reference(const CostResult& result) {
   json["depth"] = is_rendered ? ordered_json(result.reference_depth) : ordered_json(nullptr);
   json["seconds"] = is_rendered ? ordered_json(result.reference_seconds) : ordered_json(nullptr);
   json["error"] = number_or_null(result.reference_error);
+  json["image"] =
+      result.reference_image.empty() ? ordered_json(nullptr) : ordered_json(result.reference_image);
   return json;
 }
 
@@ -100,6 +128,23 @@ std::string words_of(const CostLineResult& result) {
          ".";
 }
 
+/// Names the line that wins, or says that there is none. A study of one line has nothing to compare.
+std::string words_of_winner(const CostResult& result) {
+  if (result.lines.size() < 2) return "";
+  if (!result.winner) {
+    return "No clear winner: the 95 % intervals of the efficiencies overlap, or are not known (they need two "
+           "rounds and rows well above the error of the reference).\n";
+  }
+  return fmt::format("{} is the most efficient: its 95 % interval is above those of all others.\n",
+                     result.lines[*result.winner].line.name);
+}
+
+std::string words_of_efficiency(const CostLineResult& result) {
+  if (!result.efficiency) return "";
+  return fmt::format(" Efficiency {:.3g}, 95 % interval {:.3g} to {:.3g}.", result.efficiency->value,
+                     result.efficiency->low, result.efficiency->high);
+}
+
 std::string words_of_reference(const CostResult& result) {
   if (!result.reference_path.empty()) {
     return fmt::format("The reference is {}, whose own error is unknown and not subtracted.",
@@ -114,14 +159,18 @@ std::string words_of_reference(const CostResult& result) {
 }
 
 std::string words_of_measures(const CostResult& result) {
-  std::string words = fmt::format("{}x{} pixels, {} thread{}, ", result.width, result.height, result.threads,
-                                  result.threads == 1 ? "" : "s");
+  std::string words =
+      fmt::format("{}x{} pixels{}, {} thread{}, ", result.width, result.height,
+                  result.crop ? fmt::format(", of which {}x{} from {},{}", result.crop->width,
+                                            result.crop->height, result.crop->x, result.crop->y)
+                              : "",
+                  result.conditions.threads, result.conditions.threads == 1 ? "" : "s");
   words += result.rounds == 1
                ? "each row rendered once. "
                : fmt::format("each row rendered {} times: the minimum of the times, the mean of the errors. ",
                              result.rounds);
   words += words_of_reference(result);
-  if (result.has_centred_rays) words += " All camera rays go through pixel centres.";
+  if (result.conditions.has_centred_rays) words += " All camera rays go through pixel centres.";
   return words;
 }
 
@@ -146,8 +195,9 @@ std::string markdown_of(const CostResult& result, const std::string& picture) {
   std::string text = fmt::format("# Error against render time: {}\n\n{}\n\n![error over time]({})\n\n",
                                  grf::file_name(result.scene), words_of_measures(result), picture);
   for (const CostLineResult& one : result.lines) {
-    text += fmt::format("- **{}**: {}\n", one.line.name, words_of(one));
+    text += fmt::format("- **{}**: {}{}\n", one.line.name, words_of(one), words_of_efficiency(one));
   }
+  if (const std::string winner = words_of_winner(result); !winner.empty()) text += "\n" + winner;
   text += fmt::format("\n| {} |\n|---|{}\n", fmt::join(Titles, " | "),
                       "---:|---:|---:|---:|---:|---:|---:|---:|");
   for (const CostLineResult& one : result.lines) {
@@ -197,7 +247,10 @@ std::string json_of(const CostResult& result, bool is_one_line) {
   json["scene"] = result.scene;
   json["width"] = result.width;
   json["height"] = result.height;
-  json["threads"] = result.threads;
+  json["threads"] = result.conditions.threads;
+  json["has_centred_rays"] = result.conditions.has_centred_rays;
+  json["crop"] = json_of(result.crop);
+  json["fingerprint"] = result.conditions.fingerprint;
   json["reference"] = json_of_reference(result);
   json["rows"] = ordered_json::array();
   json["fits"] = ordered_json::array();
@@ -205,6 +258,8 @@ std::string json_of(const CostResult& result, bool is_one_line) {
     for (const CostRow& row : one.rows) json["rows"].push_back(json_of_row(one, row));
     json["fits"].push_back(json_of_fit(one));
   }
+  json["winner"] =
+      result.winner ? ordered_json(result.lines[*result.winner].line.name) : ordered_json(nullptr);
   return json.dump(is_one_line ? -1 : 2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -224,13 +279,14 @@ std::string text_of(const CostResult& result) {
   }
   text += "\n";
   for (const CostLineResult& one : result.lines)
-    text += fmt::format("{}: {}\n", one.line.name, words_of(one));
-  return text;
+    text += fmt::format("{}: {}{}\n", one.line.name, words_of(one), words_of_efficiency(one));
+  return text + words_of_winner(result);
 }
 
 bool write_cost_files(const CostResult& result, const std::string& base, grf::Diagnostics& diagnostics) {
   const std::string picture = grf::file_name(base) + ".svg";
   bool written = grf::replace_file(base + ".csv", csv_of(result), diagnostics);
+  written &= grf::replace_file(base + ".json", json_of(result, false), diagnostics);
   written &= grf::replace_file(base + ".md", markdown_of(result, picture), diagnostics);
   return plot::write_picture(cost_chart(result), base + ".svg", diagnostics) && written;
 }

@@ -43,21 +43,47 @@ CostSweep::CostSweep(CostPlan plan)
 void CostSweep::plan_tasks() {
   const std::size_t lines = plan_.lines.size();
   const int middle = plan_.samples[(plan_.samples.size() - 1) / 2];
-  for (std::size_t line = 0; line < lines; ++line) tasks_.push_back({Purpose::WarmUp, line, middle, 0});
+  for (std::size_t line = 0; line < lines; ++line) {
+    for (const int samples : plan_.samples) rows_.push_back({line, samples, {}});
+  }
+  add_known_rows();
+  const auto is_missing = [&](const CostRow& row) {
+    return row.seeds.size() < static_cast<std::size_t>(plan_.rounds);
+  };
+  for (std::size_t line = 0; line < lines; ++line) {
+    const auto of_line = [&](const CostRow& row) { return row.line == line && is_missing(row); };
+    if (std::ranges::any_of(rows_, of_line)) tasks_.push_back({Purpose::WarmUp, line, middle, 0});
+  }
   if (!plan_.given) {
     tasks_.push_back({Purpose::WarmUp, lines, std::min(middle, plan_.reference_samples), 0});
     tasks_.push_back({Purpose::Reference, lines, plan_.reference_samples, 0});
   }
-  for (std::size_t line = 0; line < lines; ++line) {
-    for (const int samples : plan_.samples) rows_.push_back({line, samples, {}});
-  }
   for (int round = 0; round < plan_.rounds; ++round) {
     for (std::size_t i = 0; i < plan_.samples.size(); ++i) {
       for (std::size_t line = 0; line < lines; ++line) {
-        tasks_.push_back({Purpose::Row, line, plan_.samples[i], line * plan_.samples.size() + i});
+        const std::size_t row = line * plan_.samples.size() + i;
+        if (rows_[row].seeds.size() > static_cast<std::size_t>(round)) continue;
+        tasks_.push_back({Purpose::Row, line, plan_.samples[i], row});
       }
     }
   }
+}
+
+void CostSweep::add_known_rows() {
+  for (const CostRow& known : plan_.known) {
+    for (CostRow& row : rows_) {
+      if (row.line == known.line && row.samples == known.samples) row = known;
+    }
+  }
+}
+
+/// Returns a seed that no other round of the row has.
+std::uint32_t CostSweep::seed_of(const Task& task) const {
+  std::uint32_t seed = transport::hash(plan_.seed, static_cast<std::uint32_t>(next_));
+  if (task.purpose != Purpose::Row) return seed;
+  const std::vector<std::uint32_t>& others = rows_[task.row].seeds;
+  while (std::ranges::find(others, seed) != others.end()) seed = transport::hash(seed, 1);
+  return seed;
 }
 
 const CostSubject& CostSweep::subject(std::size_t index) const {
@@ -65,7 +91,7 @@ const CostSubject& CostSweep::subject(std::size_t index) const {
 }
 
 void CostSweep::run() {
-  if (plan_.given) reference_ = CostReference{std::move(*plan_.given)};
+  if (plan_.given) reference_ = std::move(*plan_.given);
   for (const Task& task : tasks_) {
     if (!render(task)) return;
     const std::lock_guard lock(lock_);
@@ -77,7 +103,7 @@ void CostSweep::run() {
 bool CostSweep::render(const Task& task) {
   const CostSubject& what = subject(task.subject);
   RenderSettings settings = with_samples(what.settings, task.samples);
-  settings.seed = transport::hash(plan_.seed, static_cast<std::uint32_t>(next_));
+  settings.seed = seed_of(task);
   settings.integrator.measures_sampling = task.purpose == Purpose::WarmUp;
   Render render(*what.scene, settings);
   {
@@ -121,7 +147,10 @@ void CostSweep::keep(const Task& task, const Render& render) {
 
 void CostSweep::add_to_row(const Render& render, CostRow& row) {
   const transport::ImageError error = transport::error_of(render.film().mean(), reference_->image);
+  const std::lock_guard lock(lock_);
   row.seeds.push_back(render.settings().seed);
+  row.rounds.push_back({render.seconds(), error.relmse});
+  ++measured_;
   const std::size_t count = row.seeds.size();
   row.relmse = mean_with(row.relmse, error.relmse, count);
   if (error.average_relative_error) {
@@ -160,7 +189,13 @@ transport::RenderProgress CostSweep::progress() const {
   return progress;
 }
 
+std::size_t CostSweep::measured() const {
+  const std::lock_guard lock(lock_);
+  return measured_;
+}
+
 std::vector<CostRow> CostSweep::rows() const {
+  const std::lock_guard lock(lock_);
   std::vector<CostRow> rows;
   for (const CostRow& row : rows_) {
     if (!row.seeds.empty()) rows.push_back(row);

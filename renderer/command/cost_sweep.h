@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/command/cost_efficiency.h"
 #include "renderer/transport/image/image.h"
 #include "renderer/transport/image/image_error.h"
 #include "renderer/transport/render.h"
@@ -18,16 +19,6 @@ struct CostSubject {
   std::shared_ptr<const transport::CompiledScene> scene;
   /// All but samples and seed. For `naive`, `samples` are the camera rays per pixel.
   transport::RenderSettings settings;
-};
-
-struct CostPlan {
-  std::vector<CostSubject> lines;
-  std::vector<int> samples;               ///< per pixel; for `naive`, paths: a multiple of the camera rays
-  std::optional<transport::Image> given;  ///< the reference image, if it is not to be rendered
-  CostSubject reference;                  ///< renders the reference image
-  int reference_samples = 0;
-  int rounds = 1;  ///< renders per row, each with another seed
-  std::uint32_t seed = 0;
 };
 
 struct CostReference {
@@ -45,9 +36,21 @@ struct CostRow {
   double sampling_seconds = 0;                        ///< sum over threads, see `CostSweep`
   double relmse = 0;                                  ///< mean over rounds
   std::optional<double> average_relative_error = {};  ///< likewise; nothing if the reference is black
+  std::vector<CostRound> rounds = {};                 ///< one per seed
 
   double error() const;       ///< sqrt(relMSE)
   double efficiency() const;  ///< 1 / (relMSE x render seconds)
+};
+
+struct CostPlan {
+  std::vector<CostSubject> lines;
+  std::vector<int> samples;            ///< per pixel; for `naive`, paths: a multiple of the camera rays
+  std::optional<CostReference> given;  ///< the reference, if it is not to be rendered
+  std::vector<CostRow> known;          ///< rows of an earlier study, of which missing rounds are rendered
+  CostSubject reference;               ///< renders the reference image
+  int reference_samples = 0;
+  int rounds = 1;  ///< renders per row, each with another seed
+  std::uint32_t seed = 0;
 };
 
 /// Renders each line at each sample count afresh, round after round, so that other load on the machine
@@ -68,11 +71,13 @@ class CostSweep {
 
   transport::RenderProgress progress() const;
 
-  // Results, valid after `run` has returned.
-
-  /// Returns the rows that were rendered at least once, line by line.
+  /// Returns the rows that were rendered at least once, line by line; from any thread.
   std::vector<CostRow> rows() const;
-  /// Returns the reference; nothing if the sweep stopped before it was rendered.
+  /// Returns the number of renders that `rows` have, without those of an earlier study; from any thread.
+  std::size_t measured() const;
+
+  /// Returns the reference; nothing if it was not rendered yet. It stays once `measured` is over 0, and is
+  /// valid after `run` has returned.
   const std::optional<CostReference>& reference() const { return reference_; }
 
  private:
@@ -88,18 +93,21 @@ class CostSweep {
   const CostSubject& subject(std::size_t index) const;
   bool render(const Task& task);
   void keep(const Task& task, const transport::Render& render);
+  void add_known_rows();
+  std::uint32_t seed_of(const Task& task) const;
   void add_to_row(const transport::Render& render, CostRow& row);
 
   CostPlan plan_;
   std::vector<Task> tasks_;
-  std::vector<CostRow> rows_;
   std::vector<double> sampling_rates_;  ///< sampling seconds per sample per pixel, of each subject
   std::optional<CostReference> reference_;
   const std::chrono::steady_clock::time_point start_;
 
   mutable std::mutex lock_;    ///< guards the members below
   std::vector<double> rates_;  ///< render seconds per sample per pixel, of each subject
-  std::size_t next_ = 0;       ///< index of the current task
+  std::vector<CostRow> rows_;
+  std::size_t measured_ = 0;
+  std::size_t next_ = 0;  ///< index of the current task
   transport::Render* current_ = nullptr;
   bool is_stopped_ = false;
 };

@@ -121,7 +121,9 @@ void print_json(const ForecastReport& report) {
   fmt::print("{}\n", object.dump(report.is_one_line ? -1 : 2));
 }
 
-std::string time_text(double seconds) { return std::isfinite(seconds) ? duration_text(seconds) : "never"; }
+std::string reached_time_text(double seconds) {
+  return std::isfinite(seconds) ? duration_text(seconds) : "never";
+}
 
 void print_text(const ForecastReport& report) {
   const RenderSettings& settings = report.probe.settings();
@@ -130,9 +132,9 @@ void print_text(const ForecastReport& report) {
              report.frames > 1 ? fmt::format(", each of {} frames:", report.frames) : "");
   for (const TargetForecast& forecast : report.forecasts) {
     fmt::print("  error {:>4.3g} %: {} (with {:.0f} % probability {} to {}), {:.3g} samples per pixel\n",
-               100 * forecast.target_error, time_text(forecast.seconds.median),
-               100 * transport::Forecast::Coverage, time_text(forecast.seconds.low),
-               time_text(forecast.seconds.high), forecast.samples.median);
+               100 * forecast.target_error, reached_time_text(forecast.seconds.median),
+               100 * transport::Forecast::Coverage, reached_time_text(forecast.seconds.low),
+               reached_time_text(forecast.seconds.high), forecast.samples.median);
   }
 }
 

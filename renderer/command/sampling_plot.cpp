@@ -186,7 +186,7 @@ void draw_row(const Row& row, double top, plot::Svg& svg) {
   }
 }
 
-std::string time_text(double seconds) {
+std::string sampling_time_text(double seconds) {
   if (seconds < 1e-3) return fmt::format("{:.3g} \u00B5s", 1e6 * seconds);
   return seconds < 1 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
 }
@@ -200,8 +200,8 @@ std::string costs_of(const SampledInstance& instance, const std::vector<Row>& ro
   }
   std::string tables = "no tables";
   if (const std::size_t bytes = instance.reflector.bytes(); bytes > 0) {
-    tables =
-        fmt::format("tables: {}, built in {}", grf::bytes_text(bytes), time_text(instance.build_seconds));
+    tables = fmt::format("tables: {}, built in {}", grf::bytes_text(bytes),
+                         sampling_time_text(instance.build_seconds));
   }
   return fmt::format("{}   \u00B7   {:.0f} ns per sample   \u00B7   cosine-weighted: {:.3g} %", tables,
                      1e9 * seconds / static_cast<double>(std::max<std::size_t>(1, count)),

@@ -1,10 +1,13 @@
 // Tests of `bpt cost`, and unit tests of its fit.
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
 
+#include "renderer/command/cost_efficiency.h"
 #include "renderer/command/cost_fit.h"
+#include "renderer/transport/image/image.h"
 #include "tests/cli/bpt.h"
 #include "tests/support/paths.h"
 #include "tests/support/svg_reading.h"
@@ -48,6 +51,38 @@ TEST(CostFit, IsNotThereWithoutTwoPlaces) {
   EXPECT_FALSE(command::fit_cost(same, 0).over_samples);
   EXPECT_TRUE(command::fit_cost(same, 0).over_seconds);
   EXPECT_FALSE(command::fit_cost(same, 0).over_seconds->inverse(0.01)) << "the error grows";
+}
+
+// Two rounds whose efficiencies are e and e^3 have the mean e^2, and the logarithm's standard error is 1:
+// Student's quantile for one degree of freedom is 12.706.
+TEST(CostEfficiency, HasStudentsInterval) {
+  const command::CostRounds line = {{4, {{0.5, 2 * std::exp(-1)}, {2, 0.5 * std::exp(-3)}}}};
+  const auto efficiency = command::efficiencies_of(std::vector{line}, 0).front();
+  ASSERT_TRUE(efficiency);
+  EXPECT_NEAR(efficiency->value, std::exp(2), 1e-9);
+  EXPECT_NEAR(std::log(efficiency->low), 2 - 12.706, 1e-9);
+  EXPECT_NEAR(std::log(efficiency->high), 2 + 12.706, 1e-9);
+}
+
+TEST(CostEfficiency, ComparesWhereAllLinesAreWellAboveTheReference) {
+  const command::CostRounds good = {{1, {{1, 1}, {1, 1}}}, {4, {{1, 0.001}, {1, 0.001}}}};
+  const command::CostRounds bad = {{1, {{1, 4}, {1, 4}}}, {4, {{1, 4}, {1, 4}}}, {8, {{1, 1}, {1, 1}}}};
+  const auto efficiencies = command::efficiencies_of(std::vector{good, bad}, 0.01);
+  EXPECT_NEAR(efficiencies[0].value().value, 1, 1e-12) << "its second row is the reference's error";
+  EXPECT_NEAR(efficiencies[1].value().value, 0.25, 1e-12) << "the first line has no row of 8 samples";
+  EXPECT_EQ(command::winner_of(efficiencies), 0U);
+  EXPECT_FALSE(command::efficiencies_of(std::vector{command::CostRounds{{1, {{1, 1}}}}}, 0)[0])
+      << "one round has no interval";
+}
+
+TEST(CostEfficiency, HasNoWinnerIfIntervalsOverlap) {
+  using Efficiencies = std::vector<std::optional<command::CostEfficiency>>;
+  const auto winner = [](const Efficiencies& efficiencies) { return command::winner_of(efficiencies); };
+  EXPECT_EQ(winner({{{2, 1.9, 2.1}}, {{3, 2.2, 4}}, {{1, 0.1, 2}}}), 1U);
+  EXPECT_FALSE(winner({{{2, 1.9, 2.3}}, {{3, 2.2, 4}}}));
+  EXPECT_FALSE(winner({{{2, 1.9, 2.1}}, {{3, 2.2, 4}}, {{2.5, 0.1, 9}}})) << "the third may be better";
+  EXPECT_FALSE(winner({{{2, 1.9, 2.1}}, {}}));
+  EXPECT_FALSE(winner({{{2, 1.9, 2.1}}}));
 }
 
 /// Two walls with interreflection, under a light.
@@ -206,6 +241,96 @@ TEST_F(BptCost, KeepsTheRowsSoFar) {
     EXPECT_TRUE(std::filesystem::exists(path("study") + ending));
 }
 
+/// A shiny plate, seen by naive path tracing: directions by the cosine seldom meet the lamp's reflection, the
+/// lobe's own sampler finds it with each one.
+const std::string Shiny =
+    "begin mesh brdf ward sx=0.05 ks=0.5 kd=0\n"
+    "begin vertexs (0,0,0) (1,0,0) (1,1,0) (0,1,0) end vertexs\n"
+    "begin faces (0,1,2,3) end faces end mesh\n"
+    "light begin (0,0,0.6) (0,1,0) (1,0,0) end\n";
+const std::vector<std::string> OwnOrDiffuse = {"--size",      "32x24",     "--integrator", "naive",  "--pdf",
+                                               "Own,Diffuse", "--samples", "4,16,64",      "--seed", "1"};
+
+TEST_F(BptCost, NamesTheWinner) {
+  std::vector<std::string> arguments = OwnOrDiffuse;
+  arguments.insert(arguments.end(), {"--rounds", "5"});
+  const std::string scene = write("scene.grf", Shiny);
+  const json study = report(scene, arguments);
+  EXPECT_EQ(study["winner"], "Own");
+  const json& own = study["fits"][0]["efficiency"];
+  const json& cosine = study["fits"][1]["efficiency"];
+  EXPECT_GT(own["low"].get<double>(), cosine["high"].get<double>());
+  const json op = study["fits"][0]["op"];
+  EXPECT_NE(std::find(op.begin(), op.end(), "BPT_Pdf_Name Own"), op.end());
+  EXPECT_NE(std::find(op.begin(), op.end(), "BPT_Integrator naive"), op.end());
+  EXPECT_NE(test::bytes_of(path("study.md")).find("Own is the most efficient"), std::string::npos);
+  EXPECT_EQ(json::parse(test::bytes_of(path("study.json"))), study);
+}
+
+TEST_F(BptCost, ContinuesAStudy) {
+  const std::string scene = write("scene.grf", Shiny);
+  std::vector<std::string> arguments = OwnOrDiffuse;
+  arguments.insert(arguments.end(), {"--rounds", "2"});
+  const json first = report(scene, arguments);
+  arguments = OwnOrDiffuse;
+  arguments[5] = "Diffuse,Own,Hemisphere";
+  arguments.insert(arguments.end(),
+                   {"--rounds", "3", "--continue", path("study.json"), "--progress", "json"});
+  const Outcome outcome = cost(scene, arguments);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json second = json::parse(test::bytes_of(path("study.json")));
+  ASSERT_EQ(second["rows"].size(), 9U);
+  EXPECT_EQ(second["reference"]["error"], first["reference"]["error"]);
+  for (const json& row : second["rows"]) {
+    ASSERT_EQ(row["rounds"].size(), 3U);
+    const std::vector<std::uint32_t> seeds = row["seeds"];
+    EXPECT_EQ(std::set<std::uint32_t>(seeds.begin(), seeds.end()).size(), 3U);
+    for (const json& before : first["rows"]) {
+      if (before["settings"] != row["settings"] || before["samples"] != row["samples"]) continue;
+      for (std::size_t round = 0; round < 2; ++round) {
+        EXPECT_EQ(row["rounds"][round], before["rounds"][round]);
+        EXPECT_EQ(row["seeds"][round], before["seeds"][round]);
+      }
+    }
+  }
+  std::istringstream lines(outcome.out);
+  std::string line;
+  std::size_t studies = 0;
+  while (std::getline(lines, line)) studies += json::parse(line).contains("rows") ? 1 : 0;
+  EXPECT_GE(studies, 1U);
+  EXPECT_LE(studies, 3U + 3 * 3 + 3) << "2 x 3 rows lack a round, and 3 rows lack all three";
+  arguments[1] = "24x24";
+  const Outcome refused = cost(scene, arguments);
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_NE(refused.err.find("the study is of another scene"), std::string::npos) << refused.err;
+}
+
+// The pixels of a crop window have the values that they have in the whole image.
+TEST_F(BptCost, MeasuresARegion) {
+  const std::string scene = write("scene.grf", Glossy);
+  const std::vector<std::string> small = {"--size", "16x12", "--samples", "2,4", "--reference-samples", "32"};
+  report(scene, small);
+  grf::Diagnostics diagnostics;
+  const auto whole = transport::read_image(path("study-reference.pfm"), diagnostics);
+  std::vector<std::string> cropped = small;
+  cropped.insert(cropped.end(), {"--crop", "5", "3", "6", "4"});
+  const json study = report(scene, cropped);
+  EXPECT_EQ(study["crop"], (json{5, 3, 6, 4}));
+  const auto part = transport::read_image(path("study-reference.pfm"), diagnostics);
+  ASSERT_TRUE(whole && part) << diagnostics.to_text();
+  ASSERT_EQ(part->width, 6);
+  ASSERT_EQ(part->height, 4);
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 6; ++x) {
+      EXPECT_EQ(part->pixels[static_cast<std::size_t>(6 * y + x)],
+                whole->pixels[static_cast<std::size_t>(16 * (y + 3) + x + 5)]);
+    }
+  }
+  const Outcome outside = cost(scene, {"--size", "16x12", "--crop", "12", "0", "6", "4"});
+  EXPECT_EQ(outside.exit_code, 2);
+  EXPECT_NE(outside.err.find("--crop: expected pixels of the image, which has 16 x 12"), std::string::npos);
+}
+
 TEST_F(BptCost, SaysWhatIsWrong) {
   expect_error({"--samples", "4,2"}, 2, "--samples: found '2', expected ascending");
   expect_error({"--samples", "1,x"}, 2, "--samples: found 'x', expected ascending");
@@ -214,6 +339,7 @@ TEST_F(BptCost, SaysWhatIsWrong) {
   expect_error({"--pdf", "Own", "--trees", "3"}, 2, "--trees: no scheme in --pdf uses it");
   expect_error({"--depth", "1,many"}, 2, "--depth: ");
   expect_error({"--rounds", "0"}, 2, "--rounds");
+  expect_error({"--continue", write("none.json", "{}")}, 1, "expected the JSON of a study");
   expect_error({"--reference", path("none.exr")}, 1, "cannot read the file");
   expect_error({"--pdf", "Disk,hemisphere nonsense=1"}, 2, "nonsense");
   const std::string reference = write("grey.pfm", "Pf\n1 1\n-1.0\n" + std::string(4, '\0'));

@@ -23,6 +23,7 @@
 #include "editor/panels/texture_row.h"
 #include "editor/panels/uv_panel.h"
 #include "editor/panels/uv_view.h"
+#include "editor/rendering/cost_page.h"
 #include "editor/rendering/forecast_row.h"
 #include "editor/rendering/noise_window.h"
 #include "editor/rendering/render_panel.h"
@@ -93,6 +94,17 @@ QPixmap noise_window() {
   noise.try_all();
   expect(QTest::qWaitFor([&] { return !noise.is_running(); }, 10 * Minute), "the changes were not tried");
   return noise.grab();
+}
+
+/// The study of the manual's example: which scheme for the still life.
+QPixmap cost_page() {
+  Stage stage({1280, 900});
+  stage.open(Samples + "gallery/simple_scene.grf");
+  editor::CostPage& page = stage.window().cost_page();
+  page.open(Samples + "studies/cost/still_life.json");
+  stage.hide_docks({"scene", "object", "surface", "brdf", "lights", "cameras"});
+  stage.settle();
+  return stage.picture();
 }
 
 QPixmap dock_with_models(const QString& name) {
@@ -364,6 +376,7 @@ std::vector<Picture> manual_pictures() {
       {"window", window},
       {"window_empty", empty_window},
       {"render", render_window},
+      {"cost", cost_page},
       {"images", compared_images},
       {"options", option_window},
       {"viewer", viewer_window},
