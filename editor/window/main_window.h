@@ -20,6 +20,7 @@ class BakeController;
 class BrdfEditor;
 class CameraPanel;
 class BrdfController;
+class EffectsController;
 class EnvironmentStore;
 class FileActions;
 class ImageBrowser;
@@ -160,6 +161,7 @@ class MainWindow : public QMainWindow {
   BakeController* bake_;
   RecoveryController* recovery_;
   ImageController* images_ = nullptr;
+  EffectsController* effects_ = nullptr;
   std::unique_ptr<ShortcutKeys> keys_;  ///< of the menus
   bool refuses_studio_ = false;         ///< for the model that was imported
   QMenu* image_menu_ = nullptr;         ///< shown once there are images

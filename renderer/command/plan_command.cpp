@@ -186,10 +186,10 @@ std::string percent_text(const Json& share) {
 void print_measurement(const Json& measurement) {
   fmt::print("measured on {}x{} pixels, with 95 % intervals: what is lost without the effect\n",
              measurement["width"].get<int>(), measurement["height"].get<int>());
-  fmt::print("  {:<24}{:<26}{:<26}{}\n", "", "light", "time", "difference");
+  fmt::print("  {:<24}{:<30}{:<30}{}\n", "", "light", "time", "difference");
   for (const Json& effect : measurement["effects"]) {
     const Json& difference = effect["difference"];
-    fmt::print("  {:<24}{:<26}{:<26}{}\n", effect["name"].get<std::string>(), percent_text(effect["light"]),
+    fmt::print("  {:<24}{:<30}{:<30}{}\n", effect["name"].get<std::string>(), percent_text(effect["light"]),
                percent_text(effect["time"]),
                difference.is_null() ? "unknown" : fmt::format("{:.1f} %", 100 * difference.get<double>()));
   }

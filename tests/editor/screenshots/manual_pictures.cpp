@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QPainter>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeView>
@@ -22,6 +23,7 @@
 #include "editor/panels/texture_row.h"
 #include "editor/panels/uv_panel.h"
 #include "editor/panels/uv_view.h"
+#include "editor/rendering/effects_page.h"
 #include "editor/rendering/forecast_row.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_windows.h"
@@ -60,6 +62,20 @@ QPixmap render_window() {
   const auto& forecast = *stage.window().findChild<editor::ForecastRow*>();
   expect(QTest::qWaitFor([&] { return forecast.forecasts().front().seconds.has_value(); }, 5 * Minute),
          "the render was not forecast");
+  return stage.picture();
+}
+
+QPixmap effects_page() {
+  Stage stage({1280, 800});
+  stage.open_as_rendered(Samples + "garden/garden.grf");
+  stage.act("Effects");
+  auto& page = *stage.window().findChild<editor::EffectsPage*>();
+  expect(QTest::qWaitFor([&] { return page.table().topLevelItemCount() > 0; }, Minute), "no plan was made");
+  QTest::mouseClick(page.findChild<QPushButton*>("measure"), Qt::LeftButton);
+  expect(page.is_measuring() && QTest::qWaitFor([&] { return !page.is_measuring(); }, 10 * Minute),
+         "the effects were not measured");
+  page.table().setCurrentItem(page.table().topLevelItem(3));
+  stage.settle();
   return stage.picture();
 }
 
@@ -332,6 +348,7 @@ std::vector<Picture> manual_pictures() {
       {"window", window},
       {"window_empty", empty_window},
       {"render", render_window},
+      {"effects", effects_page},
       {"images", compared_images},
       {"options", option_window},
       {"viewer", viewer_window},
