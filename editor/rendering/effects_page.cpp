@@ -134,7 +134,7 @@ void EffectsPage::make_buttons() {
     connect(made, &QPushButton::clicked, this, pressed);
     return made;
   };
-  measure_ = button(tr("&Measure"), "curve",
+  measure_ = button(tr("Measure"), "curve",
                     tr("Render a small image with and without each effect, in the background with the lowest "
                        "priority"),
                     [this] { measure(); });
@@ -145,13 +145,13 @@ void EffectsPage::make_buttons() {
                   3600, 5, tr("s")},
                  this);
   seconds_->set_value(DefaultSeconds);
-  select_ = button(tr("Select &faces"), "pick", tr("Select the faces and lamps that call for the effect"),
+  select_ = button(tr("Select faces"), "pick", tr("Select the faces and lamps that call for the effect"),
                    [this] { select_faces(current_row()); });
   compare_ =
-      button(tr("&Difference to the full image"), "swap",
+      button(tr("Difference to the full image"), "swap",
              tr("Compare the measured images without the effect, A, and with it, B, on the page Images"),
              [this] { compare(); });
-  all_on_ = button(tr("Switch all &on"), "reset", tr("Render all effects that the scene calls for"),
+  all_on_ = button(tr("Switch all on"), "reset", tr("Render all effects that the scene calls for"),
                    [this] { switch_all_on(); });
 }
 
@@ -175,7 +175,7 @@ void EffectsPage::lay_out() {
       tr("Effects of the scene. Space switches the current one on or off; Return selects the faces and lamps "
          "that call for it, and shows the scene"));
   table_->setRootIsDecorated(false);
-  table_->setUniformRowHeights(true);
+  table_->setWordWrap(true);
   table_->setAlternatingRowColors(true);
   table_->setIconSize(Thumbnail);
   table_->setTextElideMode(Qt::ElideRight);
@@ -194,9 +194,10 @@ void EffectsPage::lay_out() {
   header.setStretchLastSection(false);
   header.setSectionResizeMode(QHeaderView::Interactive);
   header.setSectionResizeMode(Why, QHeaderView::Stretch);
-  header.resizeSection(Name, 27 * Grid);
-  for (const Column each : {Light, Time}) header.resizeSection(each, 18 * Grid);
-  header.resizeSection(Difference, 20 * Grid);
+  header.setMinimumSectionSize(12 * Grid);
+  header.resizeSection(Name, 24 * Grid);
+  for (const Column each : {Light, Time}) header.resizeSection(each, 17 * Grid);
+  header.resizeSection(Difference, 19 * Grid);
 }
 
 void EffectsPage::connect_document() {
@@ -260,7 +261,7 @@ void EffectsPage::show_row(QTreeWidgetItem& item, const EffectRow& row) {
   item.setText(Why, (row.is_needed ? tr("Needed: %1") : tr("Not needed: %1")).arg(row.why));
   const bool has_places = !row.faces.empty() || !row.lights.empty();
   item.setToolTip(Why, has_places ? row.why + ". " + tr("Click to select these faces and lamps") : row.why);
-  item.setSizeHint(Name, {0, Thumbnail.height() + Grid / 2});
+  item.setSizeHint(Name, {0, row.is_needed ? Thumbnail.height() + Grid / 2 : 3 * Grid + Grid / 2});
   show_shares(item, row.effect);
   const ThemeColours colours = colours_of(theme_of(palette()));
   for (int column = 0; column < ColumnCount; ++column) {
@@ -288,7 +289,7 @@ void EffectsPage::show_state() {
   compare_->setEnabled(current != nullptr && measured_.contains(current->effect));
   const auto is_off = [](const EffectRow& each) { return !each.is_on; };
   all_on_->setEnabled(std::any_of(plan_.rows.begin(), plan_.rows.end(), is_off));
-  measure_->setText(is_measuring() ? tr("Stop &measuring") : tr("&Measure"));
+  measure_->setText(is_measuring() ? tr("Stop measuring") : tr("Measure"));
   measure_->setIcon(icon(is_measuring() ? "stop" : "curve"));
   measure_->setEnabled(is_measuring() || !plan_.rows.empty());
   if (!plan_.problem.isEmpty()) return state_->setText(plan_.problem);
@@ -381,7 +382,7 @@ void EffectsPage::select_faces(int row) {
   if (!chosen.faces.fits(document_.objects())) return;
   document_.select(chosen.faces);
   document_.select_objects(chosen.lights);
-  emit status_message(tr("Selected %1 faces and %2 area lights that call for it: %3")
+  emit status_message(tr("Selected because they call for it: faces: %1, area lights: %2 (%3)")
                           .arg(chosen.faces.count())
                           .arg(chosen.lights.size())
                           .arg(title_of(chosen.effect)));

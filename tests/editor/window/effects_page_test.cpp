@@ -56,7 +56,7 @@ class EffectsOfAScene : public Authoring {
   }
   QPushButton& button(const QString& text) {
     for (QPushButton* each : page_->findChildren<QPushButton*>()) {
-      if (each->text().remove('&') == text) return *each;
+      if (each->text() == text) return *each;
     }
     throw std::runtime_error("no button " + text.toStdString());
   }
