@@ -102,7 +102,6 @@ EffectsPage::EffectsPage(Document& document, std::function<FinalRenderRequest()>
     : QWidget(parent),
       document_(document),
       request_(std::move(request)),
-      table_(new QTreeWidget(this)),
       state_(new QLabel(this)),
       measurement_(program) {
   make_buttons();
@@ -169,6 +168,7 @@ void EffectsPage::lay_out() {
   state_->setAccessibleName(tr("State of the measurement"));
   state_->setWordWrap(true);
   column->addWidget(state_);
+  table_ = new QTreeWidget(this);  // after the buttons: Tab follows the order of creation
   column->addWidget(table_, 1);
   table_->setAccessibleName(tr("Effects of the scene"));
   table_->setToolTip(

@@ -87,7 +87,7 @@ class EffectsPage : public QWidget {
   int to_measure_ = 0;       ///< effects of the running measurement
   QString problem_;          ///< of the last measurement
 
-  QTreeWidget* table_;
+  QTreeWidget* table_ = nullptr;
   QLabel* state_;
   QPushButton* measure_;
   NumberBox* seconds_;
