@@ -249,6 +249,7 @@ void EffectsPage::show_rows() {
   for (int i = 0; i < table_->topLevelItemCount(); ++i) {
     show_row(*table_->topLevelItem(i), plan_.rows[static_cast<std::size_t>(i)]);
   }
+  if (table_->currentItem() == nullptr) table_->setCurrentItem(table_->topLevelItem(0));
   is_filling_ = false;
   show_state();
 }
