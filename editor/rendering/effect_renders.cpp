@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
-#include "editor/document/op_files.h"
+#include "editor/rendering/effect_plan.h"
 #include "editor/rendering/render_files.h"
-#include "grf/relocate.h"
-#include "renderer/job/render_job.h"
 
 namespace editor {
 namespace {
@@ -19,11 +17,7 @@ bool is_source(Effect effect) {
 }  // namespace
 
 std::vector<EffectRender> effect_renders(const FinalRenderRequest& request, grf::Diagnostics& diagnostics) {
-  const options::RenderOptions render_options = with_absolute_paths(request.options, request.path);
-  const auto settings = job::compile_settings_of(render_options, diagnostics);
-  if (!settings || !job::check(request.scene, diagnostics)) return {};
-  const grf::Scene scene = grf::with_absolute_names(request.scene, naming_path(request.path).toStdString());
-  const auto planned = job::render_plan(scene, *settings, render_options, diagnostics);
+  const auto planned = planned_scene(request, diagnostics);
   if (!planned) return {};
   std::vector<std::string> sources;
   for (const transport::PlannedEffect& effect : planned->plan.effects) {

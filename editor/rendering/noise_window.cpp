@@ -59,8 +59,9 @@ NoiseWindow::NoiseWindow(Document& document, std::function<FinalRenderRequest()>
   setWindowTitle(tr("Where the noise is from - wannabe"));
   resize(112 * Grid, 96 * Grid);
   lay_out();
-  connect(&run_, &SnapshotRun::reported, this, &NoiseWindow::read);
-  connect(&run_, &SnapshotRun::ended, this, &NoiseWindow::end);
+  connect(&run_, &SnapshotProcess::reported, this, &NoiseWindow::read);
+  connect(&run_, &SnapshotProcess::finished, this, [this] { end({}); });
+  connect(&run_, &SnapshotProcess::failed, this, &NoiseWindow::end);
   connect(&document_, &Document::changed, this, &NoiseWindow::outdate);
   connect(&document_.options(), &OpDocument::changed, this, &NoiseWindow::outdate);
   show_state();
@@ -168,7 +169,7 @@ void NoiseWindow::try_all() { start(Running::Trials, {"--try"}); }
 void NoiseWindow::start(Running what, const QStringList& arguments) {
   problem_.clear();
   running_ = what;
-  run_.start("noise", request_(), QStringList{"--progress", "json"} + arguments);
+  run_.start(request_(), "noise", QStringList{"--progress", "json"} + arguments);
   show_state();
 }
 

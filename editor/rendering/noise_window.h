@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "editor/rendering/noise_results.h"
-#include "editor/rendering/snapshot_run.h"
+#include "editor/rendering/snapshot_process.h"
 
 class QLabel;
 class QProgressBar;
@@ -59,7 +59,7 @@ class NoiseWindow : public QWidget {
 
   Document& document_;
   const std::function<FinalRenderRequest()> request_;
-  SnapshotRun run_;
+  SnapshotProcess run_;
   Running running_ = Running::Nothing;
   bool is_outdated_ = false;
   QString problem_;

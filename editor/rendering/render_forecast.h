@@ -1,9 +1,7 @@
 #pragma once
 
-#include <QObject>
-
 #include "editor/rendering/render_report.h"
-#include "editor/rendering/snapshot_run.h"
+#include "editor/rendering/snapshot_process.h"
 
 namespace editor {
 
@@ -19,8 +17,8 @@ class RenderForecast : public QObject {
   /// Starts a forecast, which replaces the one that is being made.
   void start(FinalRenderRequest request);
   /// Cancels the forecast that is being made. No signal follows.
-  void stop() { run_.stop(); }
-  bool is_running() const { return run_.is_running(); }
+  void stop() { process_.stop(); }
+  bool is_running() const { return process_.is_running(); }
 
  signals:
   /// Emitted several times, at first with wide intervals.
@@ -29,7 +27,7 @@ class RenderForecast : public QObject {
   void failed(const QString& why);
 
  private:
-  SnapshotRun run_;
+  SnapshotProcess process_;
 };
 
 }  // namespace editor

@@ -66,6 +66,8 @@ class RenderPanel : public QWidget {
 
   Preview& preview() { return preview_; }
   FinalRender& final_render() { return final_; }
+  /// A final render of the scene and its options as they are now.
+  FinalRenderRequest final_request() const;
   /// The render of this session that wrote an image, or of which it is a copy; else the last render that
   /// replaced an image. Null if there is none.
   const FinalRenderResult* last_render_of(const QString& image) const;
@@ -130,7 +132,6 @@ class RenderPanel : public QWidget {
   void render_effects();
   void choose_effects(const FinalRenderRequest& request, const std::vector<EffectRender>& effects);
   void render_animation();
-  FinalRenderRequest final_request() const;
   void queue(std::vector<FinalRenderRequest> requests);
   void begin(Job& job, const FinalRenderRequest& request);
   void end_job();

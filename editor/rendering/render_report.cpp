@@ -36,6 +36,14 @@ std::optional<VisibleNoiseReport> visible_noise(const QJsonObject& summary) {
   return VisibleNoiseReport{*percentile, number(noise, "samples_needed").value_or(0)};
 }
 
+std::optional<ShareInterval> share(const QJsonValue& value) {
+  const QJsonObject object = value.toObject();
+  const QJsonArray interval = object.value(QLatin1String("interval")).toArray();
+  const auto share = number(object, "share");
+  if (!share || interval.size() != 2) return std::nullopt;
+  return ShareInterval{*share, interval.at(0).toDouble(), interval.at(1).toDouble()};
+}
+
 class ReportText {
   Q_DECLARE_TR_FUNCTIONS(editor::RenderReport)
 };
@@ -72,6 +80,15 @@ std::optional<BakeSummary> bake_summary_of(const QByteArray& line) {
   if (!vertices) return std::nullopt;
   return BakeSummary{*vertices, number(object, "samples").value_or(0),
                      number(object, "render_seconds").value_or(0), number(object, "estimated_error")};
+}
+
+std::optional<EffectShares> effect_shares_of(const QByteArray& line) {
+  const QJsonObject all = QJsonDocument::fromJson(line).object();
+  const QJsonObject object = all.value(QLatin1String("measured")).toObject();
+  if (object.isEmpty()) return std::nullopt;
+  return EffectShares{object.value(QLatin1String("name")).toString(),
+                      share(object.value(QLatin1String("light"))), share(object.value(QLatin1String("time"))),
+                      number(object, "difference")};
 }
 
 QString duration_text(double seconds) {

@@ -42,6 +42,22 @@ struct RenderSummary {
   std::optional<VisibleNoiseReport> visible_noise = {};
 };
 
+/// The part of something that is lost without an effect, with its 95 % confidence interval.
+struct ShareInterval {
+  double share = 0;
+  double low = 0;
+  double high = 0;
+};
+
+/// What an effect contributes and costs, by `bpt plan --measure`; see renderer/EFFECTS.md.
+struct EffectShares {
+  QString name;                        ///< as in renderer/EFFECTS.md
+  std::optional<ShareInterval> light;  ///< none if the image is black
+  std::optional<ShareInterval> time;
+  std::optional<double>
+      difference;  ///< of pixels, RMS, as a fraction of the mean; none if the image is black
+};
+
 /// Summary of a bake of irradiance.
 struct BakeSummary {
   double vertices = 0;  ///< number of vertices with irradiance
@@ -56,6 +72,9 @@ std::optional<RenderReport> render_report_of(const QByteArray& line);
 std::vector<ForecastTime> forecast_times_of(const QByteArray& line);
 std::optional<RenderSummary> render_summary_of(const QByteArray& line);
 std::optional<BakeSummary> bake_summary_of(const QByteArray& line);
+
+/// Parses the line of a measured effect; nothing if the line is another one.
+std::optional<EffectShares> effect_shares_of(const QByteArray& line);
 
 /// Formats a duration: `12 s`, `4 min 05 s`, `2 h 07 min`.
 QString duration_text(double seconds);

@@ -34,6 +34,7 @@
 #include "editor/view/scene_view.h"
 #include "editor/window/bake_controller.h"
 #include "editor/window/brdf_controller.h"
+#include "editor/window/effects_controller.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/image_controller.h"
 #include "editor/window/job_panel.h"
@@ -81,6 +82,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   object_actions_ = new ObjectActions(document_, *view_, *this);
   material_actions_ = new MaterialActions(document_, *this);
   mesh_actions_ = new MeshActions(document_, jobs_, *this);
+  effects_ = new EffectsController(document_, *render_, *pages_, *this);
   lay_out();
   make_menus();
   images_ = new ImageController(*render_, *pages_, *image_menu_, this);
@@ -311,6 +313,7 @@ void MainWindow::connect_actions() {
     Docks::show(object_dock_);
   });
   connect(object_actions_, &ObjectActions::status_message, this, &MainWindow::show_status);
+  connect(effects_, &EffectsController::status_message, this, &MainWindow::show_status);
 }
 
 void MainWindow::aim_light() {

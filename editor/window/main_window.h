@@ -21,6 +21,7 @@ class BrdfEditor;
 class CameraPanel;
 class BrdfController;
 class CostPage;
+class EffectsController;
 class EnvironmentStore;
 class FileActions;
 class ImageBrowser;
@@ -164,6 +165,7 @@ class MainWindow : public QMainWindow {
   RecoveryController* recovery_;
   ImageController* images_ = nullptr;
   CostPage* cost_ = nullptr;
+  EffectsController* effects_ = nullptr;
   std::unique_ptr<ShortcutKeys> keys_;  ///< of the menus
   bool refuses_studio_ = false;         ///< for the model that was imported
   QMenu* image_menu_ = nullptr;         ///< shown once there are images

@@ -74,7 +74,7 @@ void MainWindow::make_menus() {
   render->addActions({render_->preview_action(), render_->render_action(), render_->cameras_action(),
                       render_->effects_action(), render_->animation_action(), render_->stop_action()});
   render->addSeparator();
-  render->addAction(render_->compare_action());
+  render->addActions({effects_->action(), render_->compare_action()});
   render->addSeparator();
   rendered_mode_->fill(*render);
   render->addSeparator();

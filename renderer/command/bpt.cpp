@@ -91,7 +91,21 @@ void add_noise(CLI::App& app, command::NoiseArguments& arguments) {
 void add_plan(CLI::App& app, command::PlanArguments& arguments) {
   CLI::App* plan = app.add_subcommand("plan", "Show which effects a render would use or leave out, and why");
   add_scene_options(*plan, arguments.scene, arguments.flags);
-  plan->add_flag("--json", arguments.json, "print one JSON object");
+  add_progress(*plan, arguments.progress);
+  plan->add_flag("--json", arguments.json, "print one JSON object; with --progress json, on one more line");
+  CLI::Option* measure = plan->add_flag(
+      "--measure", arguments.measures,
+      "render a small image with and without each effect, and print the share of the time that "
+      "it costs and the share of the light that it contributes, with 95 % intervals");
+  plan->add_option("--measure-seconds", arguments.measurement.seconds,
+                   "processor time per thread for all effects (20)")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.1, 1e6))
+      ->needs(measure);
+  plan->add_option("--measure-images", arguments.images,
+                   "write the images to this folder, as EFFECT_full.exr and EFFECT_without.exr")
+      ->type_name("FOLDER")
+      ->needs(measure);
 }
 
 void add_render(CLI::App& app, command::RenderArguments& arguments) {

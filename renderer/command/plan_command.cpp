@@ -12,7 +12,10 @@
 
 #include "grf/text_file.h"
 #include "grf/wording.h"
+#include "renderer/command/json_values.h"
+#include "renderer/command/render_run.h"
 #include "renderer/job/render_job.h"
+#include "renderer/transport/image/image_file.h"
 #include "renderer/transport/plan/table_bytes.h"
 
 namespace command {
@@ -23,10 +26,26 @@ using grf::ExitCode;
 using Json = nlohmann::ordered_json;
 using transport::Plan;
 
+/// Names surfaces by their mesh and their place in its list, and lights by their number in the file, from 0.
+Json places_of(const transport::PlannedEffect& effect) {
+  Json places = Json::array();
+  for (const transport::SurfacePlace& place : effect.places) {
+    if (place.mesh == nullptr) {
+      places.push_back({{"light", place.index}});
+      continue;
+    }
+    places.push_back({{"mesh", place.mesh->name}, {"surface", place.index}});
+  }
+  return places;
+}
+
 Json effects_of(const Plan& plan) {
   Json effects = Json::array();
   for (const transport::PlannedEffect& effect : plan.effects) {
-    effects.push_back({{"name", name_of(effect.effect)}, {"needed", effect.is_needed}, {"why", effect.why}});
+    effects.push_back({{"name", name_of(effect.effect)},
+                       {"needed", effect.is_needed},
+                       {"why", effect.why},
+                       {"places", places_of(effect)}});
   }
   return effects;
 }
@@ -108,6 +127,75 @@ void print_text(const Json& report) {
              grf::counted(saved["scatterings"].get<std::size_t>(), "bounce", "bounces"));
 }
 
+Json json_of_share(const std::optional<job::LostShare>& share) {
+  if (!share) return nullptr;
+  return {{"share", share->value}, {"interval", {share->low, share->high}}};
+}
+
+Json json_of_effect(const job::MeasuredEffect& measured) {
+  return {{"name", name_of(measured.effect)},
+          {"light", json_of_share(measured.light)},
+          {"time", json_of_share(measured.time)},
+          {"difference", number_or_null(measured.difference)}};
+}
+
+/// Writes both images of an effect to a folder. Returns false after an error.
+bool write_images(const job::MeasuredEffect& measured, const std::string& folder, Diagnostics& diagnostics) {
+  const std::string stem = (std::filesystem::path(folder) / name_of(measured.effect)).string();
+  return transport::write_image({measured.full}, stem + "_full.exr", diagnostics) &&
+         transport::write_image({measured.without}, stem + "_without.exr", diagnostics);
+}
+
+/// Adds what is measured to the report: all of it, unless a signal stops it.
+void measure(const PlanArguments& arguments, const options::RenderOptions& render_options, const Plan& plan,
+             Json& report, Diagnostics& diagnostics) {
+  Json effects = Json::array();
+  if (!arguments.images.empty()) {
+    std::error_code ignored;  // writing to it reports the error
+    std::filesystem::create_directories(arguments.images, ignored);
+  }
+  job::EffectMeasurement measurement(render_options, plan, arguments.measurement,
+                                     [&](const job::MeasuredEffect& measured) {
+                                       effects.push_back(json_of_effect(measured));
+                                       if (!arguments.images.empty())
+                                         write_images(measured, arguments.images, diagnostics);
+                                       if (arguments.progress != "json") return;
+                                       fmt::print("{}\n", Json{{"measured", effects.back()}}.dump());
+                                       std::fflush(stdout);
+                                     });
+  SignalHandler signal_handler;
+  run_watched(measurement, signal_handler, [] {});
+  for (const grf::Diagnostic& each : measurement.diagnostics().entries()) {
+    if (each.severity == grf::Severity::Error) diagnostics.error(each.location, each.message);
+  }
+  const options::ImageSize size = measurement.size();
+  report["measurement"] = {{"width", size.width},
+                           {"height", size.height},
+                           {"seconds", arguments.measurement.seconds},
+                           {"probability", 0.95},
+                           {"complete", effects.size() == measurement.effect_count()},
+                           {"effects", std::move(effects)}};
+}
+
+std::string percent_text(const Json& share) {
+  if (share.is_null()) return "unknown";
+  return fmt::format("{:.1f} % ({:.1f} to {:.1f})", 100 * share["share"].get<double>(),
+                     100 * share["interval"][0].get<double>(), 100 * share["interval"][1].get<double>());
+}
+
+void print_measurement(const Json& measurement) {
+  fmt::print("measured on {}x{} pixels, with 95 % intervals: what is lost without the effect\n",
+             measurement["width"].get<int>(), measurement["height"].get<int>());
+  fmt::print("  {:<24}{:<30}{:<30}{}\n", "", "light", "time", "difference");
+  for (const Json& effect : measurement["effects"]) {
+    const Json& difference = effect["difference"];
+    fmt::print("  {:<24}{:<30}{:<30}{}\n", effect["name"].get<std::string>(), percent_text(effect["light"]),
+               percent_text(effect["time"]),
+               difference.is_null() ? "unknown" : fmt::format("{:.1f} %", 100 * difference.get<double>()));
+  }
+  if (!measurement["complete"].get<bool>()) fmt::print("  stopped: other effects were not measured\n");
+}
+
 }  // namespace
 
 ExitCode plan(const PlanArguments& arguments) {
@@ -123,11 +211,15 @@ ExitCode plan(const PlanArguments& arguments) {
       planned = job::render_plan(*scene, *compile_settings, *render_options, diagnostics);
     }
     if (planned) report = report_of(*scene, *planned, diagnostics);
+    if (planned && arguments.measures && diagnostics.error_count() == 0) {
+      measure(arguments, *render_options, planned->plan, report, diagnostics);
+    }
   }
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (diagnostics.error_count() > 0) return ExitCode::BadInput;
-  if (arguments.json) fmt::print("{}\n", report.dump(2));
+  if (arguments.json) fmt::print("{}\n", report.dump(arguments.progress == "json" ? -1 : 2));
   if (!arguments.json) print_text(report);
+  if (!arguments.json && arguments.measures) print_measurement(report["measurement"]);
   return ExitCode::Done;
 }
 

@@ -1,5 +1,6 @@
 // Tests of `bpt plan` and the flags that choose effects.
 #include <algorithm>
+#include <filesystem>
 
 #include <nlohmann/json.hpp>
 
@@ -111,6 +112,69 @@ TEST_F(BptPlan, FindsWhatIsWrongWithAScene) {
   write("scene.grf", "begin mesh brdf warp begin");
   EXPECT_EQ(bpt({"plan", op_}).exit_code, 1);
   EXPECT_EQ(bpt({"plan", path("missing.op")}).exit_code, 1);
+}
+
+TEST_F(BptPlan, NamesTheSurfacesThatCallForAnEffect) {
+  const json report = plan({"--depth", "1"});
+  EXPECT_EQ(effect(report, "area_lights")["places"], json::parse(R"([{"light": 0}])"));
+  EXPECT_EQ(effect(report, "textures")["places"], json::array()) << "no path hits them";
+  write(
+      "scene.grf",
+      "light begin rgb (0,0,0) (-1,3,0.5) (2,0,0) (0,0,2) end begin mesh \"wall\" brdf diffuse begin vertexs "
+      "(-1,-1,0)(1,-1,0)(1,1,0)(-1,1,0) end vertexs begin faces (0,1,2) light rgb (4,4,4) (0,2,3) end faces "
+      "end mesh light begin rgb (2,3,4) (-1,2,0.5) (2,0,0) (0,0,2) end");
+  EXPECT_EQ(effect(plan({"--depth", "1"}), "area_lights")["places"],
+            json::parse(R"([{"mesh": "wall", "surface": 1}, {"light": 1}])"));
+}
+
+// The only light is the background of 1: without it, nothing is left. A white diffuse plane with vertices of
+// half that colour is twice as bright without them, see effect_measurement_test.
+class BptPlanMeasured : public BptPlan {
+ protected:
+  BptPlanMeasured() {
+    write(
+        "scene.grf",
+        "begin mesh brdf diffuse kd=0.8 begin vertexs rgb (0.5,0.5,0.5) (-9,-9,0) rgb (0.5,0.5,0.5) (9,-9,0) "
+        "rgb (0.5,0.5,0.5) (9,9,0) rgb (0.5,0.5,0.5) (-9,9,0) end vertexs begin faces (0,1,2,3) end faces "
+        "end "
+        "mesh");
+    write("scene.op", "BPT_Scene scene.grf\nBPT_Viewer 0 0 4\nBPT_VLook 0 0 0\nBPT_Background 1 1 1\n");
+  }
+};
+
+TEST_F(BptPlanMeasured, TellsShareAndInterval) {
+  const json report = plan({"--size", "64x48", "--measure", "--measure-seconds", "0.1"});
+  const json& measurement = report["measurement"];
+  EXPECT_EQ(measurement["width"], 64);
+  EXPECT_EQ(measurement["height"], 48);
+  EXPECT_EQ(measurement["probability"], 0.95);
+  EXPECT_TRUE(measurement["complete"].get<bool>());
+  ASSERT_EQ(measurement["effects"].size(), 2U);
+  const json& background = measurement["effects"][0];
+  EXPECT_EQ(background["name"], "background");
+  EXPECT_EQ(background["light"]["share"], 1);
+  EXPECT_EQ(background["light"]["interval"], (std::vector<double>{1, 1}));
+  const json& colours = measurement["effects"][1];
+  EXPECT_EQ(colours["name"], "vertex_colours");
+  EXPECT_NEAR(colours["light"]["share"].get<double>(), -1, 0.02);
+  EXPECT_NEAR(colours["difference"].get<double>(), 1, 0.02);
+  EXPECT_LE(colours["time"]["interval"][0], colours["time"]["share"]);
+  EXPECT_GE(colours["time"]["interval"][1], colours["time"]["share"]);
+}
+
+TEST_F(BptPlanMeasured, PrintsLinesAndWritesImages) {
+  const Outcome lines = bpt({"plan", op_, "--size", "64x48", "--measure", "--measure-seconds", "0.1",
+                             "--json", "--progress", "json", "--measure-images", path("new/images")});
+  ASSERT_EQ(lines.exit_code, 0) << lines.err;
+  EXPECT_EQ(std::count(lines.out.begin(), lines.out.end(), '\n'), 3) << lines.out;
+  const json first = json::parse(lines.out.substr(0, lines.out.find('\n')));
+  EXPECT_EQ(first["measured"]["name"], "background");
+  for (const char* name : {"background_full.exr", "background_without.exr", "vertex_colours_full.exr"}) {
+    EXPECT_TRUE(std::filesystem::exists(path(std::string("new/images/") + name))) << name;
+  }
+  const Outcome text = bpt({"plan", op_, "--size", "64x48", "--measure", "--measure-seconds", "0.1"});
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("background              100.0 % (100.0 to 100.0)"), std::string::npos) << text.out;
 }
 
 }  // namespace

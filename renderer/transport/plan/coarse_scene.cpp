@@ -129,6 +129,7 @@ class CoarseSceneBuilder {
   std::unordered_map<const Mesh*, MeshFacts> facts_;
   std::map<SurfaceKey, std::uint32_t> surface_of_key_;
   Box3d bounds_;
+  std::uint32_t lights_ = 0;
 };
 
 const MeshFacts& CoarseSceneBuilder::facts(const Mesh& mesh) {
@@ -303,6 +304,7 @@ void CoarseSceneBuilder::add_part(std::uint32_t surface, std::span<const Vec3d> 
 void CoarseSceneBuilder::add(const grf::AreaLight& light, const Placement& placement) {
   CoarseSurface surface;
   surface.faces = 1;
+  surface.index = lights_++;
   surface.emits = !reflectance::is_black(light.radiance.value_or(grf::Colour(1)));
   const auto index = static_cast<std::uint32_t>(coarse_scene_.surfaces.size());
   coarse_scene_.surfaces.push_back(surface);

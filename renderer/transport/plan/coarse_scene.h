@@ -15,7 +15,8 @@ namespace transport {
 /// A surface, shared by faces of a mesh, as resolved where the mesh is placed.
 struct CoarseSurface {
   const grf::Mesh* mesh = nullptr;  ///< null: a light
-  std::uint32_t index = 0;          ///< in the mesh's list of surfaces
+  /// In the mesh's list of surfaces; of a light, its number in the order in which `grf::visit` comes to them.
+  std::uint32_t index = 0;
   std::size_t faces = 0;            ///< over all placements
   bool emits = false;
   /// The components of the BRDF; a black face has none.

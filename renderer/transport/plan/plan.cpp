@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,9 +17,13 @@ namespace {
 
 using grf::counted;
 
+/// Indices into CoarseScene::surfaces.
+using SurfaceList = std::vector<std::size_t>;
+
 struct Answer {
   bool is_needed;
   std::string why;
+  SurfaceList surfaces = {};  ///< that call for the effect
 };
 
 std::string faces(std::size_t count) { return counted(count, "face", "faces"); }
@@ -54,7 +59,9 @@ class Planner {
   void keep_all();
   void keep_what_is_seen();
   std::size_t count(const Test& test) const;
-  std::size_t reflecting(const Test& test) const;
+  SurfaceList reflecting(const Test& test) const;
+  std::size_t face_count(const SurfaceList& surfaces) const;
+  std::vector<SurfacePlace> places_of(const SurfaceList& surfaces) const;
   Answer of(Effect effect) const;
   Answer area_lights() const;
   Answer environment() const;
@@ -100,14 +107,30 @@ std::size_t Planner::count(const Test& test) const {
   return sum;
 }
 
-/// The number of those faces at which a path can be scattered.
-std::size_t Planner::reflecting(const Test& test) const {
-  std::size_t sum = 0;
+/// The surfaces of those faces at which a path can be scattered.
+SurfaceList Planner::reflecting(const Test& test) const {
+  SurfaceList surfaces;
   for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
-    const CoarseSurface& surface = coarse_scene_.surfaces[i];
-    if (reachability_.reflects[i] && test(surface)) sum += surface.faces;
+    if (reachability_.reflects[i] && test(coarse_scene_.surfaces[i])) surfaces.push_back(i);
   }
+  return surfaces;
+}
+
+std::size_t Planner::face_count(const SurfaceList& surfaces) const {
+  std::size_t sum = 0;
+  for (const std::size_t i : surfaces) sum += coarse_scene_.surfaces[i].faces;
   return sum;
+}
+
+std::vector<SurfacePlace> Planner::places_of(const SurfaceList& surfaces) const {
+  std::vector<SurfacePlace> places;
+  std::set<std::pair<const grf::Mesh*, std::uint32_t>> known;
+  for (const std::size_t i : surfaces) {
+    const CoarseSurface& surface = coarse_scene_.surfaces[i];
+    // Instances of a mesh in different scopes have surfaces of their own.
+    if (known.emplace(surface.mesh, surface.index).second) places.push_back({surface.mesh, surface.index});
+  }
+  return places;
 }
 
 /// Returns why faces with some property are not hit: `all` of them have it, `reflects` of which reflect.
@@ -124,9 +147,12 @@ std::string Planner::why_not(std::size_t all, std::size_t reflects) const {
 }
 
 Answer Planner::of_faces(const Test& test, std::string_view what) const {
-  const std::size_t met = reflecting(test);
-  if (met > 0)
-    return {true, fmt::format("{} that a path can hit {} {}", faces(met), met == 1 ? "has" : "have", what)};
+  SurfaceList surfaces = reflecting(test);
+  const std::size_t met = face_count(surfaces);
+  if (met > 0) {
+    return {true, fmt::format("{} that a path can hit {} {}", faces(met), met == 1 ? "has" : "have", what),
+            std::move(surfaces)};
+  }
   const std::size_t all = count(test);
   if (all == 0) return {false, fmt::format("no face has {}", what)};
   return {false, why_not(all, count([&](const CoarseSurface& s) { return test(s) && s.reflects(); }))};
@@ -136,13 +162,14 @@ Answer Planner::area_lights() const {
   const std::size_t all = count([](const CoarseSurface& surface) { return surface.emits; });
   if (all == 0) return {false, "nothing in the scene emits"};
   if (settings_.draws_normals) return {false, "only normals are rendered"};
-  std::size_t met = 0;
+  SurfaceList surfaces;
   for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
-    if (coarse_scene_.surfaces[i].emits && reachability_.is_front_met[i])
-      met += coarse_scene_.surfaces[i].faces;
+    if (coarse_scene_.surfaces[i].emits && reachability_.is_front_met[i]) surfaces.push_back(i);
   }
+  const std::size_t met = face_count(surfaces);
   if (met == 0) return {false, fmt::format("no path hits the front of the {} that emit", faces(all))};
-  return {true, fmt::format("{} {} light that a path can hit", faces(met), met == 1 ? "emits" : "emit")};
+  return {true, fmt::format("{} {} light that a path can hit", faces(met), met == 1 ? "emits" : "emit"),
+          std::move(surfaces)};
 }
 
 Answer Planner::environment() const {
@@ -170,13 +197,15 @@ Answer Planner::interreflection(bool diffuse) const {
 }
 
 Answer Planner::interpolated_normals() const {
-  std::size_t met = 0;
+  SurfaceList surfaces;
   for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
     const bool shows = reachability_.reflects[i] || settings_.draws_normals || settings_.shows_surfaces;
-    if (shows && reachability_.is_smooth[i] && coarse_scene_.surfaces[i].is_smooth)
-      met += coarse_scene_.surfaces[i].faces;
+    if (shows && reachability_.is_smooth[i] && coarse_scene_.surfaces[i].is_smooth) surfaces.push_back(i);
   }
-  if (met > 0) return {true, fmt::format("paths can hit {} with smooth shading", faces(met))};
+  const std::size_t met = face_count(surfaces);
+  if (met > 0) {
+    return {true, fmt::format("paths can hit {} with smooth shading", faces(met)), std::move(surfaces)};
+  }
   const std::size_t all = count([](const CoarseSurface& surface) { return surface.is_smooth; });
   if (all == 0) return {false, "no vertex normal differs from its faces'"};
   return {false, why_not(all, count([](const CoarseSurface& s) { return s.is_smooth && s.reflects(); }))};
@@ -305,7 +334,8 @@ Plan Planner::plan() const {
   plan.why_depth = why_depth();
   for (const EffectInfo& info : EffectInfos) {
     Answer answer = of(info.effect);
-    plan.effects.push_back({info.effect, answer.is_needed, std::move(answer.why)});
+    plan.effects.push_back(
+        {info.effect, answer.is_needed, std::move(answer.why), places_of(answer.surfaces)});
   }
   add_tables(plan);
   add_textures(plan);

@@ -1,6 +1,7 @@
 // A plan says which effects, tables and textures a scene, its view and its render options need, and why.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,10 +24,20 @@ struct PlanSettings {
   bool keeps_all = false;       ///< leaves out only what is switched off
 };
 
+/// A surface of a mesh, or an area light, of the scene that was planned.
+struct SurfacePlace {
+  const grf::Mesh* mesh = nullptr;  ///< null: an area light
+  std::uint32_t index = 0;          ///< in the mesh's list of surfaces; of a light, as in CoarseSurface
+
+  bool operator==(const SurfacePlace&) const = default;
+};
+
 struct PlannedEffect {
   Effect effect;
   bool is_needed = false;
   std::string why;  ///< a sentence without its full stop
+  /// The surfaces that call for it; none if the view, the options or the geometry do.
+  std::vector<SurfacePlace> places = {};
 };
 
 /// A pair of BRDF and sampling scheme that may need a table.

@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QPainter>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeView>
@@ -24,6 +25,7 @@
 #include "editor/panels/uv_panel.h"
 #include "editor/panels/uv_view.h"
 #include "editor/rendering/cost_page.h"
+#include "editor/rendering/effects_page.h"
 #include "editor/rendering/forecast_row.h"
 #include "editor/rendering/noise_window.h"
 #include "editor/rendering/render_panel.h"
@@ -103,6 +105,21 @@ QPixmap cost_page() {
   editor::CostPage& page = stage.window().cost_page();
   page.open(Samples + "studies/cost/still_life.json");
   stage.hide_docks({"scene", "object", "surface", "brdf", "lights", "cameras"});
+  stage.settle();
+  return stage.picture();
+}
+
+QPixmap effects_page() {
+  Stage stage({1280, 800});
+  stage.open_as_rendered(Samples + "garden/garden.grf");
+  stage.hide_docks({"surface", "brdf", "uv"});
+  stage.act("Effects");
+  auto& page = *stage.window().findChild<editor::EffectsPage*>();
+  expect(QTest::qWaitFor([&] { return page.table().topLevelItemCount() > 0; }, Minute), "no plan was made");
+  QTest::mouseClick(page.findChild<QPushButton*>("measure"), Qt::LeftButton);
+  expect(page.is_measuring() && QTest::qWaitFor([&] { return !page.is_measuring(); }, 10 * Minute),
+         "the effects were not measured");
+  page.table().setCurrentItem(page.table().topLevelItem(3));
   stage.settle();
   return stage.picture();
 }
@@ -377,6 +394,7 @@ std::vector<Picture> manual_pictures() {
       {"window_empty", empty_window},
       {"render", render_window},
       {"cost", cost_page},
+      {"effects", effects_page},
       {"images", compared_images},
       {"options", option_window},
       {"viewer", viewer_window},

@@ -23,6 +23,7 @@
 #include "editor/panels/face_query_dialog.h"
 #include "editor/panels/light_panel.h"
 #include "editor/panels/sky_dialog.h"
+#include "editor/rendering/effects_page.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/render_controller.h"
@@ -113,6 +114,10 @@ TEST_F(Accessibility, OfTheMainWindow) {
   check_docks();
   expect_letters_apart(window);
   window.image_browser();
+  check_controls(window);
+  test::action(window, "Effects").trigger();
+  auto& effects = window.findChild<EffectsPage*>()->table();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return effects.topLevelItemCount() > 0; }, test::Minute));
   check_controls(window);
   expect_words_of_actions(window);
 }

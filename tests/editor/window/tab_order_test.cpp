@@ -2,6 +2,7 @@
 #include <QDockWidget>
 #include <QPlainTextEdit>
 #include <QSignalSpy>
+#include <QTreeWidget>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 #include "editor/image/image_pane.h"
 #include "editor/panels/light_panel.h"
 #include "editor/panels/message_panel.h"
+#include "editor/rendering/effects_page.h"
 #include "editor/view/scene_view.h"
 #include "editor/window/file_actions.h"
 #include "editor/window/source_view.h"
@@ -132,6 +134,8 @@ TEST_F(TabOrder, LeadsToAllOfNoticesAndPages) {
   window_.notice().show_notice(NoticeBar::Kind::Information, "Something", {{"Mend it", "Mends it", {}}});
   expect_tab_leads_to_all(window_.view());
   expect_tab_leads_to_all(window_.image_browser().pane());
+  test::action(window_, "Effects").trigger();
+  expect_tab_leads_to_all(window_.findChild<EffectsPage*>()->table());
   const std::string path = folder_.path("rows.grf");
   emit window_.message_panel().place_requested(grf::whole_file(path));
   QPlainTextEdit& text = *window_.findChild<SourceView*>()->text();
