@@ -59,13 +59,13 @@ CostForm::CostForm(QWidget* parent)
       samples_(described(new QLineEdit("4,16,64", this), tr("Compared samples"),
                          tr("Each number of samples per pixel becomes a point of every curve; the numbers "
                             "ascend"))),
-      rounds_(number_box({tr("Rounds"),
-                          tr("Each point is rendered so many times with different seeds; intervals need two "
-                             "rounds, and narrow with more"),
-                          1, 100, 1},
-                         this)),
       region_(described(new QCheckBox(tr("Only the preview region"), this), tr("Only the preview region"),
                         tr("Measure only the region of the mode Rendered, as the 3D view frames it"))) {
+  rounds_ = number_box({tr("Rounds"),
+                        tr("Each point is rendered so many times with different seeds; intervals need two "
+                           "rounds, and narrow with more"),
+                        1, 100, 1},
+                       this);
   rounds_->set_whole(true);
   rounds_->set_value(4);
   path_->setChecked(true);

@@ -1199,6 +1199,339 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
     </message>
 </context>
 <context>
+    <name>editor::CostFile</name>
+    <message>
+        <source>%1 is no study: choose the JSON file that bpt cost wrote</source>
+        <translation>%1 no es un estudio: elija el archivo JSON que escribió bpt cost</translation>
+    </message>
+    <message>
+        <source>%1: expected a name that ends with svg, png, pdf, csv or json</source>
+        <translation>%1: se esperaba un nombre que termine en svg, png, pdf, csv o json</translation>
+    </message>
+    <message>
+        <source>cannot convert the figure</source>
+        <translation>no se puede convertir la figura</translation>
+    </message>
+</context>
+<context>
+    <name>editor::CostForm</name>
+    <message>
+        <source>Compared schemes</source>
+        <translation>Esquemas comparados</translation>
+    </message>
+    <message>
+        <source>Each checked sampling scheme becomes a curve; without any, the scheme of the render settings is measured</source>
+        <translation>Cada esquema de muestreo marcado da una curva; sin ninguno se mide el de los ajustes de render</translation>
+    </message>
+    <message>
+        <source>Compare path</source>
+        <translation>Comparar path</translation>
+    </message>
+    <message>
+        <source>Measure path tracing with light sampling</source>
+        <translation>Medir el trazado de caminos con muestreo de luces</translation>
+    </message>
+    <message>
+        <source>Compare naive</source>
+        <translation>Comparar naive</translation>
+    </message>
+    <message>
+        <source>Measure the thesis&apos; estimator, which samples directions by the scheme alone</source>
+        <translation>Medir el estimador de la tesis, que muestrea direcciones solo con el esquema</translation>
+    </message>
+    <message>
+        <source>Compared ways</source>
+        <translation>Caminos comparados</translation>
+    </message>
+    <message>
+        <source>Each number of ways from the first hit becomes a curve, such as 1,2,4; while it is empty, that of the render settings is measured</source>
+        <translation>Cada número de caminos desde el primer impacto da una curva, como 1,2,4; si está vacío se mide el de los ajustes de render</translation>
+    </message>
+    <message>
+        <source>Compared samples</source>
+        <translation>Muestras comparadas</translation>
+    </message>
+    <message>
+        <source>Each number of samples per pixel becomes a point of every curve; the numbers ascend</source>
+        <translation>Cada número de muestras por píxel da un punto de cada curva; los números son crecientes</translation>
+    </message>
+    <message>
+        <source>Rounds</source>
+        <translation>Rondas</translation>
+    </message>
+    <message>
+        <source>Each point is rendered so many times with different seeds; intervals need two rounds, and narrow with more</source>
+        <translation>Cada punto se calcula tantas veces con semillas distintas; los intervalos necesitan dos rondas y se estrechan con más</translation>
+    </message>
+    <message>
+        <source>Only the preview region</source>
+        <translation>Solo la región de vista previa</translation>
+    </message>
+    <message>
+        <source>Measure only the region of the mode Rendered, as the 3D view frames it</source>
+        <translation>Medir solo la región del modo Renderizado, tal como la encuadra la vista 3D</translation>
+    </message>
+    <message>
+        <source>as in the settings</source>
+        <translation>como en los ajustes</translation>
+    </message>
+    <message>
+        <source>Sampling schemes</source>
+        <translation>Esquemas de muestreo</translation>
+    </message>
+    <message>
+        <source>Integrators</source>
+        <translation>Integradores</translation>
+    </message>
+    <message>
+        <source>Ways</source>
+        <translation>Caminos</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Muestras</translation>
+    </message>
+</context>
+<context>
+    <name>editor::CostPage</name>
+    <message>
+        <source>Error over render time</source>
+        <translation>Error frente al tiempo de render</translation>
+    </message>
+    <message>
+        <source>Error (square root of relMSE, in percent) over render time; both are logarithmic</source>
+        <translation>Error (raíz de relMSE, en tanto por ciento) frente al tiempo de render; ambos son logarítmicos</translation>
+    </message>
+    <message>
+        <source>Efficiencies</source>
+        <translation>Eficiencias</translation>
+    </message>
+    <message>
+        <source>Efficiency 1 / (relMSE x render seconds) with its 95 % interval over the rounds, and the time to an error of 1 % with building tables, in seconds</source>
+        <translation>Eficiencia 1 / (relMSE x segundos de render) con su intervalo del 95 % entre rondas, y el tiempo hasta un error del 1 % contando la construcción de tablas, en segundos</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>Efficiency</source>
+        <translation>Eficiencia</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>Intervalo del 95 %</translation>
+    </message>
+    <message>
+        <source>Seconds to 1 %</source>
+        <translation>Segundos hasta 1 %</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>Progreso del estudio</translation>
+    </message>
+    <message>
+        <source>Settings of the winner</source>
+        <translation>Ajustes del ganador</translation>
+    </message>
+    <message>
+        <source>The lines of an OP file, and the PDF of a scene, that take the winner</source>
+        <translation>Las líneas de un archivo OP, y la PDF de una escena, que adoptan el ganador</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>Start the study</source>
+        <translation>Empezar el estudio</translation>
+    </message>
+    <message>
+        <source>Measure all curves afresh</source>
+        <translation>Medir de nuevo todas las curvas</translation>
+    </message>
+    <message>
+        <source>Continue the study</source>
+        <translation>Continuar el estudio</translation>
+    </message>
+    <message>
+        <source>Measure what the shown study lacks</source>
+        <translation>Medir lo que falta en el estudio mostrado</translation>
+    </message>
+    <message>
+        <source>Stop the study</source>
+        <translation>Detener el estudio</translation>
+    </message>
+    <message>
+        <source>End the study, and keep what was measured</source>
+        <translation>Terminar el estudio y conservar lo medido</translation>
+    </message>
+    <message>
+        <source>Open a study</source>
+        <translation>Abrir un estudio</translation>
+    </message>
+    <message>
+        <source>Open the JSON file of a study of bpt cost, to show or continue it</source>
+        <translation>Abrir el archivo JSON de un estudio de bpt cost, para mostrarlo o continuarlo</translation>
+    </message>
+    <message>
+        <source>Save the study</source>
+        <translation>Guardar el estudio</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Empezar</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Continuar</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Open...</source>
+        <translation>Abrir...</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>Guardar...</translation>
+    </message>
+    <message>
+        <source>Take the winner</source>
+        <translation>Adoptar el ganador</translation>
+    </message>
+    <message>
+        <source>Copy the settings</source>
+        <translation>Copiar los ajustes</translation>
+    </message>
+    <message>
+        <source>Copy the settings of the winner as text</source>
+        <translation>Copiar los ajustes del ganador como texto</translation>
+    </message>
+    <message>
+        <source>Picture A</source>
+        <translation>Imagen A</translation>
+    </message>
+    <message>
+        <source>The curve whose largest sample count sets the time or the error</source>
+        <translation>La curva cuyo mayor número de muestras fija el tiempo o el error</translation>
+    </message>
+    <message>
+        <source>Picture B</source>
+        <translation>Imagen B</translation>
+    </message>
+    <message>
+        <source>The curve that gets the same time or error</source>
+        <translation>La curva que recibe el mismo tiempo o error</translation>
+    </message>
+    <message>
+        <source>Pictures of</source>
+        <translation>Imágenes de</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>At equal time</source>
+        <translation>A igual tiempo</translation>
+    </message>
+    <message>
+        <source>At equal error</source>
+        <translation>A igual error</translation>
+    </message>
+    <message>
+        <source>no region is framed: drag one by the action Preview region</source>
+        <translation>no hay región encuadrada: arrastre una con la acción Región de vista previa</translation>
+    </message>
+    <message>
+        <source>render time, s</source>
+        <translation>tiempo de render, s</translation>
+    </message>
+    <message>
+        <source>error, %</source>
+        <translation>error, %</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>de %1 a %2</translation>
+    </message>
+    <message>
+        <source>%1 wins: its interval is above those of all others.</source>
+        <translation>%1 gana: su intervalo está por encima de todos los demás.</translation>
+    </message>
+    <message>
+        <source>A study compares the error of renders over their time.</source>
+        <translation>Un estudio compara el error de los renders frente a su tiempo.</translation>
+    </message>
+    <message>
+        <source>One curve has nothing to win against: compare two or more.</source>
+        <translation>Una curva sola no compite con nada: compare dos o más.</translation>
+    </message>
+    <message>
+        <source>No clear winner: the intervals overlap, or are not known yet.</source>
+        <translation>Sin ganador claro: los intervalos se solapan o aún no se conocen.</translation>
+    </message>
+    <message>
+        <source>A study is running.</source>
+        <translation>Hay un estudio en marcha.</translation>
+    </message>
+    <message>
+        <source>There is no study.</source>
+        <translation>No hay ningún estudio.</translation>
+    </message>
+    <message>
+        <source>No study is running.</source>
+        <translation>No hay ningún estudio en marcha.</translation>
+    </message>
+    <message>
+        <source>Save the figure, the table or the study</source>
+        <translation>Guardar la figura, la tabla o el estudio</translation>
+    </message>
+    <message>
+        <source>Only a PDF of the scene has these settings.</source>
+        <translation>Solo una PDF de la escena tiene estos ajustes.</translation>
+    </message>
+    <message>
+        <source>There is no clear winner.</source>
+        <translation>No hay un ganador claro.</translation>
+    </message>
+    <message>
+        <source>Set the winner&apos;s settings in the render settings</source>
+        <translation>Poner los ajustes del ganador en los ajustes de render</translation>
+    </message>
+    <message>
+        <source>The pictures are being rendered.</source>
+        <translation>Se están calculando las imágenes.</translation>
+    </message>
+    <message>
+        <source>The curves do not reach it within a million samples.</source>
+        <translation>Las curvas no lo alcanzan con un millón de muestras.</translation>
+    </message>
+    <message>
+        <source>Render both in the same time, and compare them in Images</source>
+        <translation>Calcular ambas en el mismo tiempo y compararlas en Imágenes</translation>
+    </message>
+    <message>
+        <source>Render both with the same error, and compare them in Images</source>
+        <translation>Calcular ambas con el mismo error y compararlas en Imágenes</translation>
+    </message>
+    <message>
+        <source>Studies (*.json)</source>
+        <translation>Estudios (*.json)</translation>
+    </message>
+    <message>
+        <source>Figure (*.svg *.png *.pdf);;Table (*.csv);;Study (*.json)</source>
+        <translation>Figura (*.svg *.png *.pdf);;Tabla (*.csv);;Estudio (*.json)</translation>
+    </message>
+    <message>
+        <source>%1, %2 samples</source>
+        <translation>%1, %2 muestras</translation>
+    </message>
+</context>
+<context>
     <name>editor::DataFileRow</name>
     <message>
         <source>Data</source>
@@ -1245,6 +1578,248 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
             <numerusform>La edición se aplica también en %n otro lugar que incluye el archivo</numerusform>
             <numerusform>La edición se aplica también en otros %n lugares que incluyen el archivo</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>editor::EffectsController</name>
+    <message>
+        <source>E&amp;ffects</source>
+        <translation>E&amp;fectos</translation>
+    </message>
+    <message>
+        <source>Show which effects the scene needs, what they cost and what they contribute</source>
+        <translation>Muestra qué efectos necesita la escena, cuánto cuestan y qué aportan</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Efectos</translation>
+    </message>
+    <message>
+        <source>Effects of the scene: need, cost and contribution</source>
+        <translation>Efectos de la escena: necesidad, coste y aportación</translation>
+    </message>
+</context>
+<context>
+    <name>editor::EffectsPage</name>
+    <message>
+        <source>unknown</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %</source>
+        <translation>%1 a %2 %</translation>
+    </message>
+    <message>
+        <source>Area lights</source>
+        <translation>Luces de área</translation>
+    </message>
+    <message>
+        <source>Environment map</source>
+        <translation>Mapa de entorno</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Fondo</translation>
+    </message>
+    <message>
+        <source>Diffuse interreflection</source>
+        <translation>Interreflexión difusa</translation>
+    </message>
+    <message>
+        <source>Glossy interreflection</source>
+        <translation>Interreflexión brillante</translation>
+    </message>
+    <message>
+        <source>Mirror reflection</source>
+        <translation>Reflexión especular</translation>
+    </message>
+    <message>
+        <source>Anisotropy</source>
+        <translation>Anisotropía</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Texturas</translation>
+    </message>
+    <message>
+        <source>Vertex colours</source>
+        <translation>Colores de vértice</translation>
+    </message>
+    <message>
+        <source>Interpolated normals</source>
+        <translation>Normales interpoladas</translation>
+    </message>
+    <message>
+        <source>Measured BRDFs</source>
+        <translation>BRDF medidas</translation>
+    </message>
+    <message>
+        <source>Baked irradiance</source>
+        <translation>Irradiancia precalculada</translation>
+    </message>
+    <message>
+        <source>Depth of field</source>
+        <translation>Profundidad de campo</translation>
+    </message>
+    <message>
+        <source>Instances</source>
+        <translation>Instancias</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Medir</translation>
+    </message>
+    <message>
+        <source>Render a small image with and without each effect, in the background with the lowest priority</source>
+        <translation>Renderiza una imagen pequeña con y sin cada efecto, en segundo plano con la prioridad más baja</translation>
+    </message>
+    <message>
+        <source>Time of the measurement</source>
+        <translation>Tiempo de la medición</translation>
+    </message>
+    <message>
+        <source>Processor time for all effects together; more of it makes the intervals smaller</source>
+        <translation>Tiempo de procesador para todos los efectos juntos; con más tiempo, los intervalos son menores</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Select faces</source>
+        <translation>Seleccionar caras</translation>
+    </message>
+    <message>
+        <source>Select the faces and lamps that call for the effect</source>
+        <translation>Selecciona las caras y lámparas que requieren el efecto</translation>
+    </message>
+    <message>
+        <source>Difference to the full image</source>
+        <translation>Diferencia con la imagen completa</translation>
+    </message>
+    <message>
+        <source>Compare the measured images without the effect, A, and with it, B, on the page Images</source>
+        <translation>Compara las imágenes medidas sin el efecto, A, y con él, B, en la página Imágenes</translation>
+    </message>
+    <message>
+        <source>Switch all on</source>
+        <translation>Activar todos</translation>
+    </message>
+    <message>
+        <source>Render all effects that the scene calls for</source>
+        <translation>Renderiza todos los efectos que la escena requiere</translation>
+    </message>
+    <message>
+        <source>State of the measurement</source>
+        <translation>Estado de la medición</translation>
+    </message>
+    <message>
+        <source>Effects of the scene</source>
+        <translation>Efectos de la escena</translation>
+    </message>
+    <message>
+        <source>Effects of the scene. Space switches the current one on or off; Return selects the faces and lamps that call for it, and shows the scene</source>
+        <translation>Efectos de la escena. Espacio activa o desactiva el actual; Intro selecciona las caras y lámparas que lo requieren y muestra la escena</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>Efecto</translation>
+    </message>
+    <message>
+        <source>Needed, and why</source>
+        <translation>Necesario, y por qué</translation>
+    </message>
+    <message>
+        <source>Share of the light</source>
+        <translation>Parte de la luz</translation>
+    </message>
+    <message>
+        <source>Share of the time</source>
+        <translation>Parte del tiempo</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Diferencia</translation>
+    </message>
+    <message>
+        <source>The part of the image&apos;s light that is lost without the effect, with the interval that contains it with 95 % probability; negative if the image gets brighter</source>
+        <translation>La parte de la luz de la imagen que se pierde sin el efecto, con el intervalo que la contiene con una probabilidad del 95 %; negativa si la imagen se vuelve más clara</translation>
+    </message>
+    <message>
+        <source>The part of the render time that is saved without the effect, for as many samples, with such an interval</source>
+        <translation>La parte del tiempo de render que se ahorra sin el efecto, con el mismo número de muestras, con un intervalo igual</translation>
+    </message>
+    <message>
+        <source>The root mean square difference of pixels to the full image, compared with its mean; the picture of it is brightened</source>
+        <translation>La diferencia cuadrática media de los píxeles con la imagen completa, comparada con su media; su imagen está aclarada</translation>
+    </message>
+    <message>
+        <source>If it is switched off: %1</source>
+        <translation>Si se desactiva: %1</translation>
+    </message>
+    <message>
+        <source>Needed: %1</source>
+        <translation>Necesario: %1</translation>
+    </message>
+    <message>
+        <source>Not needed: %1</source>
+        <translation>No necesario: %1</translation>
+    </message>
+    <message>
+        <source>Click to select these faces and lamps</source>
+        <translation>Haga clic para seleccionar estas caras y lámparas</translation>
+    </message>
+    <message>
+        <source>Stop measuring</source>
+        <translation>Detener la medición</translation>
+    </message>
+    <message>
+        <source>Cannot measure: %1</source>
+        <translation>No se puede medir: %1</translation>
+    </message>
+    <message>
+        <source>Measuring: %1 of %2 effects</source>
+        <translation>Midiendo: %1 de %2 efectos</translation>
+    </message>
+    <message>
+        <source>Measure what each effect costs and contributes.</source>
+        <translation>Mida lo que cuesta y aporta cada efecto.</translation>
+    </message>
+    <message>
+        <source>The scene or its options have changed since the effects were measured.</source>
+        <translation>La escena o sus opciones han cambiado desde que se midieron los efectos.</translation>
+    </message>
+    <message>
+        <source>Measured on a small image: what is lost without the effect, with intervals of 95 % probability.</source>
+        <translation>Medido en una imagen pequeña: lo que se pierde sin el efecto, con intervalos del 95 % de probabilidad.</translation>
+    </message>
+    <message>
+        <source>Switch on: %1</source>
+        <translation>Activar: %1</translation>
+    </message>
+    <message>
+        <source>Switch off: %1</source>
+        <translation>Desactivar: %1</translation>
+    </message>
+    <message>
+        <source>Switch all effects on</source>
+        <translation>Activar todos los efectos</translation>
+    </message>
+    <message>
+        <source>No face or lamp calls for it: %1</source>
+        <translation>Ninguna cara ni lámpara lo requiere: %1</translation>
+    </message>
+    <message>
+        <source>Selected because they call for it: faces: %1, area lights: %2 (%3)</source>
+        <translation>Seleccionadas porque lo requieren: caras: %1, luces de área: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1: full image</source>
+        <translation>%1: imagen completa</translation>
     </message>
 </context>
 <context>
@@ -3587,16 +4162,32 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
         <translation>Ayuda</translation>
     </message>
     <message>
-        <source>Chec&amp;k...</source>
-        <translation>Co&amp;mprobar...</translation>
-    </message>
-    <message>
         <source>List what can make the image wrong or noisy, and repair it: lamps in solids, flipped normals, duplicates, values that are not finite</source>
         <translation>Lista lo que puede hacer que la imagen sea incorrecta o ruidosa, y lo repara: lámparas dentro de sólidos, normales invertidas, duplicados, valores no finitos</translation>
     </message>
     <message>
         <source>Ba&amp;ke irradiance</source>
         <translation>P&amp;recalcular la irradiancia</translation>
+    </message>
+    <message>
+        <source>&amp;Cost</source>
+        <translation>&amp;Coste</translation>
+    </message>
+    <message>
+        <source>Compare sampling schemes and integrators by their error over time</source>
+        <translation>Comparar esquemas de muestreo e integradores por su error frente al tiempo</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Coste</translation>
+    </message>
+    <message>
+        <source>Error over render time of schemes and integrators</source>
+        <translation>Error frente al tiempo de render de esquemas e integradores</translation>
+    </message>
+    <message>
+        <source>C&amp;heck...</source>
+        <translation>C&amp;omprobar...</translation>
     </message>
 </context>
 <context>
@@ -3898,6 +4489,256 @@ Los problemas aparecen aquí mientras edita.</translation>
     <message>
         <source>cannot read %1</source>
         <translation>no se puede leer %1</translation>
+    </message>
+</context>
+<context>
+    <name>editor::NoiseText</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Split count</source>
+        <translation>Número de ramas</translation>
+    </message>
+    <message>
+        <source>Sampling scheme of all BRDFs</source>
+        <translation>Esquema de muestreo de todas las BRDF</translation>
+    </message>
+    <message>
+        <source>Sampler</source>
+        <translation>Muestreador</translation>
+    </message>
+    <message>
+        <source>Resampling of the environment</source>
+        <translation>Remuestreo del entorno</translation>
+    </message>
+    <message>
+        <source>Adaptive sampling</source>
+        <translation>Muestreo adaptativo</translation>
+    </message>
+    <message>
+        <source>%1: it makes %2 of the noise and %3 of the light.</source>
+        <translation>%1: produce el %2 del ruido y el %3 de la luz.</translation>
+    </message>
+    <message>
+        <source>Area light %1</source>
+        <translation>Luz de área %1</translation>
+    </message>
+    <message>
+        <source>Emitting mesh %1</source>
+        <translation>Malla emisora %1</translation>
+    </message>
+    <message>
+        <source>Lamp &quot;%1&quot;</source>
+        <translation>Lámpara «%1»</translation>
+    </message>
+    <message>
+        <source>Environment and background</source>
+        <translation>Entorno y fondo</translation>
+    </message>
+    <message>
+        <source>Light that the eye sees</source>
+        <translation>Luz que ve el ojo</translation>
+    </message>
+    <message>
+        <source>Direct light</source>
+        <translation>Luz directa</translation>
+    </message>
+    <message>
+        <source>Light of %1 bounces</source>
+        <translation>Luz de %1 rebotes</translation>
+    </message>
+    <message>
+        <source>%1, sampled by %2</source>
+        <translation>%1, muestreada por %2</translation>
+    </message>
+    <message>
+        <source>None: the eye sees the light</source>
+        <translation>Ninguna: el ojo ve la luz</translation>
+    </message>
+    <message>
+        <source>Sampled by %1 instead of %2: %3</source>
+        <translation>Muestreada por %1 en lugar de %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3</source>
+        <translation>%1: %2 en lugar de %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 of the variance in %3 of the time, so the same error in %4 of the time, with 95 % probability in %5 to %6.</source>
+        <translation>%1: %2 de la varianza en %3 del tiempo; así, el mismo error en %4 del tiempo, con una probabilidad del 95 % entre %5 y %6.</translation>
+    </message>
+    <message>
+        <source>pays</source>
+        <translation>compensa</translation>
+    </message>
+    <message>
+        <source>does not pay</source>
+        <translation>no compensa</translation>
+    </message>
+    <message>
+        <source>no clear difference</source>
+        <translation>sin diferencia clara</translation>
+    </message>
+    <message>
+        <source>No change that was tried pays.</source>
+        <translation>Ninguno de los cambios probados compensa.</translation>
+    </message>
+</context>
+<context>
+    <name>editor::NoiseWindow</name>
+    <message>
+        <source>95 % interval: %1 to %2</source>
+        <translation>Intervalo del 95 %: de %1 a %2</translation>
+    </message>
+    <message>
+        <source>Where the noise is from - wannabe</source>
+        <translation>De dónde viene el ruido - wannabe</translation>
+    </message>
+    <message>
+        <source>State of the measurement</source>
+        <translation>Estado de la medición</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Progreso de la medición</translation>
+    </message>
+    <message>
+        <source>Advice</source>
+        <translation>Consejo</translation>
+    </message>
+    <message>
+        <source>Part of the light</source>
+        <translation>Parte de la luz</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Ruido</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Luz</translation>
+    </message>
+    <message>
+        <source>Shares of the noise</source>
+        <translation>Partes del ruido</translation>
+    </message>
+    <message>
+        <source>Shares of the image&apos;s variance and light. Select a row to select its lamp or faces</source>
+        <translation>Partes de la varianza y de la luz de la imagen. Seleccione una fila para seleccionar su lámpara o sus caras</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Cambio</translation>
+    </message>
+    <message>
+        <source>Variance</source>
+        <translation>Varianza</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Producto</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>Changes of settings</source>
+        <translation>Cambios de ajustes</translation>
+    </message>
+    <message>
+        <source>What changes do, relative to now: a product of 0.8 means the same error in 0.8 of the time</source>
+        <translation>Qué hacen los cambios, respecto a ahora: un producto de 0.8 significa el mismo error en 0.8 del tiempo</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Medir</translation>
+    </message>
+    <message>
+        <source>Measure where the noise of the image comes from, as it is now</source>
+        <translation>Mide de dónde viene el ruido de la imagen tal como es ahora</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Detener</translation>
+    </message>
+    <message>
+        <source>Stop measuring and keep what is known</source>
+        <translation>Detiene la medición y conserva lo que se sabe</translation>
+    </message>
+    <message>
+        <source>&amp;Try</source>
+        <translation>&amp;Probar</translation>
+    </message>
+    <message>
+        <source>Measure what the selected change does</source>
+        <translation>Mide qué hace el cambio seleccionado</translation>
+    </message>
+    <message>
+        <source>Try &amp;all</source>
+        <translation>Probar &amp;todos</translation>
+    </message>
+    <message>
+        <source>Measure what each change does</source>
+        <translation>Mide qué hace cada cambio</translation>
+    </message>
+    <message>
+        <source>A&amp;pply</source>
+        <translation>&amp;Aplicar</translation>
+    </message>
+    <message>
+        <source>Write the selected change to the options or the faces</source>
+        <translation>Escribe el cambio seleccionado en las opciones o las caras</translation>
+    </message>
+    <message>
+        <source>Measuring where the noise is from…</source>
+        <translation>Midiendo de dónde viene el ruido…</translation>
+    </message>
+    <message>
+        <source>Measuring what changes do…</source>
+        <translation>Midiendo qué hacen los cambios…</translation>
+    </message>
+    <message>
+        <source>Not measured: %1</source>
+        <translation>Sin medir: %1</translation>
+    </message>
+    <message>
+        <source>Applied: %1. Measure again to see what is left</source>
+        <translation>Aplicado: %1. Mida de nuevo para ver qué queda</translation>
+    </message>
+    <message>
+        <source>The scene, its options or the camera have changed: measure again</source>
+        <translation>La escena, sus opciones o la cámara han cambiado: mida de nuevo</translation>
+    </message>
+    <message>
+        <source>The error is %1 % with %2 samples per pixel, in %3 x %4 pixels</source>
+        <translation>El error es del %1 % con %2 muestras por píxel, en %3 x %4 píxeles</translation>
+    </message>
+    <message>
+        <source>Light from</source>
+        <translation>Luz de</translation>
+    </message>
+    <message>
+        <source>Bounces between lamp and eye</source>
+        <translation>Rebotes entre la lámpara y el ojo</translation>
+    </message>
+    <message>
+        <source>Reflected first by</source>
+        <translation>Reflejada primero por</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Apply: %1</source>
+        <translation>Aplicar: %1</translation>
     </message>
 </context>
 <context>
@@ -5469,6 +6310,42 @@ BPT_Scene  scene.grf</translation>
         <source>Set target error</source>
         <translation>Fijar el error objetivo</translation>
     </message>
+    <message>
+        <source>Error of &amp;pixels</source>
+        <translation>Error de los &amp;píxeles</translation>
+    </message>
+    <message>
+        <source>Error of pixels</source>
+        <translation>Error de los píxeles</translation>
+    </message>
+    <message>
+        <source>Show error of pi&amp;xels</source>
+        <translation>Mostrar el error de los pí&amp;xeles</translation>
+    </message>
+    <message>
+        <source>Show the relative error of the preview&apos;s pixels in false colours, as it falls</source>
+        <translation>Muestra en falso color el error relativo de los píxeles de la previsualización, según disminuye</translation>
+    </message>
+    <message>
+        <source>Where is the &amp;noise from…</source>
+        <translation>De dónde viene el &amp;ruido…</translation>
+    </message>
+    <message>
+        <source>Measure which lamps, bounces and BRDFs the noise comes from, and what helps</source>
+        <translation>Mide de qué lámparas, rebotes y BRDF viene el ruido, y qué ayuda</translation>
+    </message>
+    <message>
+        <source>Scale of the error in the Render dock</source>
+        <translation>Escala del error en el panel Render</translation>
+    </message>
+    <message>
+        <source>Visible noise</source>
+        <translation>Ruido visible</translation>
+    </message>
+    <message>
+        <source>95 % of the pixels differ by less than this from the converged image, in units of CIEDE2000: below 1 the eye sees no difference. It sees %1 pixels per degree, as on a full HD screen of 24 inches from 63 cm, with the exposure of the render options. Estimated from two halves of the samples</source>
+        <translation>El 95 % de los píxeles difiere en menos que esto de la imagen convergida, en unidades de CIEDE2000: por debajo de 1 el ojo no ve diferencia alguna. Ve %1 píxeles por grado, como en una pantalla Full HD de 24 pulgadas a 63 cm, con la exposición de las opciones de render. Se estima con dos mitades de las muestras</translation>
+    </message>
 </context>
 <context>
     <name>editor::RenderReport</name>
@@ -5487,6 +6364,14 @@ BPT_Scene  scene.grf</translation>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>The eye sees no noise: ΔE %1</source>
+        <translation>El ojo no ve ruido: ΔE %1</translation>
+    </message>
+    <message>
+        <source>The eye sees noise: ΔE %1, until about %2 samples</source>
+        <translation>El ojo ve ruido: ΔE %1, hasta unas %2 muestras</translation>
     </message>
 </context>
 <context>
@@ -5589,6 +6474,18 @@ BPT_Scene  scene.grf</translation>
     <message>
         <source>Render the mode Rendered only in a rectangle that is dragged; Return takes the middle</source>
         <translation>Calcula el modo Renderizado solo en un rectángulo que se arrastra; Intro toma el centro</translation>
+    </message>
+    <message>
+        <source>Scale of the error in the view</source>
+        <translation>Escala del error en la vista</translation>
+    </message>
+    <message>
+        <source>error of pixels</source>
+        <translation>error de los píxeles</translation>
+    </message>
+    <message>
+        <source>measuring the error</source>
+        <translation>midiendo el error</translation>
     </message>
 </context>
 <context>
@@ -5710,6 +6607,14 @@ BPT_Scene  scene.grf</translation>
     <message>
         <source>value</source>
         <translation>valor</translation>
+    </message>
+    <message>
+        <source>Relative standard error of the pixels.</source>
+        <translation>Error típico relativo de los píxeles.</translation>
+    </message>
+    <message>
+        <source>error, %</source>
+        <translation>error, %</translation>
     </message>
 </context>
 <context>

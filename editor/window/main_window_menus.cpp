@@ -166,7 +166,7 @@ void MainWindow::make_scene_menu() {
   menu->addSeparator();
   menu->addAction(
       new_action(*this,
-                 {tr("Chec&k...Check..."),
+                 {tr("C&heck..."),
                   {},
                   QKeySequence("Ctrl+Alt+V"),
                   tr("List what can make the image wrong or noisy, and repair it: lamps in solids, "

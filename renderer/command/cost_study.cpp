@@ -10,9 +10,7 @@
 namespace command {
 namespace {
 
-using nlohmann::json;
-
-SavedCost::Row row_of(const json& saved) {
+SavedCost::Row row_of(const nlohmann::json& saved) {
   SavedCost::Row result;
   result.key = saved.at("settings").get<std::string>();
   CostRow& row = result.row;
@@ -21,27 +19,27 @@ SavedCost::Row row_of(const json& saved) {
   row.render_seconds = saved.at("render_seconds").get<double>();
   row.sampling_seconds = saved.at("sampling_seconds").get<double>();
   row.relmse = saved.at("relmse").get<double>();
-  if (const json& error = saved.at("average_relative_error"); !error.is_null()) {
+  if (const nlohmann::json& error = saved.at("average_relative_error"); !error.is_null()) {
     row.average_relative_error = error.get<double>();
   }
-  for (const json& round : saved.at("rounds")) {
+  for (const nlohmann::json& round : saved.at("rounds")) {
     row.rounds.push_back({round.at("render_seconds").get<double>(), round.at("relmse").get<double>()});
   }
   if (row.rounds.size() != row.seeds.size()) throw std::runtime_error("a row needs a seed for each round");
   return result;
 }
 
-SavedCost study_of(const json& saved, const std::filesystem::path& folder) {
+SavedCost study_of(const nlohmann::json& saved, const std::filesystem::path& folder) {
   SavedCost study;
   study.conditions = {saved.at("fingerprint").get<std::string>(), saved.at("threads").get<int>(),
                       saved.at("has_centred_rays").get<bool>()};
-  const json& reference = saved.at("reference");
+  const nlohmann::json& reference = saved.at("reference");
   study.reference_image = (folder / reference.at("image").get<std::string>()).string();
   study.reference_samples = reference.at("samples").get<int>();
   study.reference_seconds = reference.at("seconds").get<double>();
   const double error = reference.at("error").get<double>();
   study.reference_relmse = error * error;
-  for (const json& row : saved.at("rows")) study.rows.push_back(row_of(row));
+  for (const nlohmann::json& row : saved.at("rows")) study.rows.push_back(row_of(row));
   return study;
 }
 
@@ -56,7 +54,7 @@ std::optional<SavedCost> read_cost_study(const std::string& path, grf::Diagnosti
   const auto text = grf::read_file(path, diagnostics);
   if (!text) return std::nullopt;
   try {
-    return study_of(json::parse(*text), std::filesystem::path(path).parent_path());
+    return study_of(nlohmann::json::parse(*text), std::filesystem::path(path).parent_path());
   } catch (const std::exception& error) {
     fail(path,
          fmt::format("expected the JSON of a study with a rendered reference, as bpt cost writes it: {}",

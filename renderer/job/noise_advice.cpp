@@ -16,7 +16,7 @@ using transport::NoiseRatios;
 using transport::NoiseShare;
 
 constexpr int MostWidth = 192;
-constexpr int MostSamples = 16;
+constexpr int MostNoiseSamples = 16;
 constexpr int Images = 8;
 constexpr int TimedImages = 2;  // every second image
 /// Samples that show adaptive sampling, which begins after its pilot.
@@ -149,7 +149,7 @@ std::optional<NoiseReport> noise_report(const RenderOptions& render_options, con
     diagnostics.error({}, "noise is shared out for the integrator `path` only");
     return std::nullopt;
   }
-  const transport::NoiseSettings noise = {Images, std::min(settings.samples, MostSamples)};
+  const transport::NoiseSettings noise = {Images, std::min(settings.samples, MostNoiseSamples)};
   const auto shares = transport::noise_shares(made->scene, settings, noise, stopped);
   if (!shares) {
     if (!stopped) diagnostics.error({}, "the image has no noise");
@@ -198,7 +198,7 @@ std::optional<NoiseRatios> NoiseTrials::measured(const NoiseChange& change, cons
                                                  Diagnostics& diagnostics) {
   const bool is_adaptive = change.option == "BPT_Adaptive";
   const RenderOptions base = small(render_options_, is_adaptive ? MostWidth / 2 : MostWidth);
-  const int samples = is_adaptive ? AdaptiveSamples : std::min(base.samples_per_pixel(), MostSamples);
+  const int samples = is_adaptive ? AdaptiveSamples : std::min(base.samples_per_pixel(), MostNoiseSamples);
   const Before* now = before(base, samples, stopped, diagnostics);
   if (now == nullptr) return std::nullopt;
   const auto made = measurement(changed(base, change), samples, scheme_of(change), diagnostics);
@@ -249,7 +249,8 @@ std::vector<std::string> advice_of(const NoiseReport& report) {
                                 : first.kind == NoisePart::Kind::Lamp ? "The "
                                                                       : "";
     std::string name = subject + first.name;
-    if (const std::size_t line = name.find(", line "); line != std::string::npos) name.replace(line, 1, " in");
+    if (const std::size_t line = name.find(", line "); line != std::string::npos)
+      name.replace(line, 1, " in");
     name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
     sentences.push_back(fmt::format("{} makes {} of the noise and {} of the light.", name,
                                     percent(first.share.noise), percent(first.share.light)));
