@@ -61,8 +61,8 @@ std::optional<SamplePair> samples_at_equal_error(const CostCurve& a, const CostC
 /// Returns the options with the settings of a curve; unchanged by lines that are no options.
 options::RenderOptions with_settings(options::RenderOptions render_options, const QStringList& op);
 
-/// Sets the samples per pixel, which for `naive` are rays from the first hit: the nearest square. Returns that
-/// number.
+/// Sets the samples per pixel, which for `naive` are rays from the first hit: the nearest square. Returns
+/// that number.
 int set_samples(options::RenderOptions& render_options, int samples);
 
 }  // namespace editor

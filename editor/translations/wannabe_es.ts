@@ -4187,7 +4187,7 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
     </message>
     <message>
         <source>C&amp;heck...</source>
-        <translation>C&amp;omprobar...</translation>
+        <translation>Co&amp;mprobar...</translation>
     </message>
 </context>
 <context>

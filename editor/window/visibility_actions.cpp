@@ -22,6 +22,10 @@ FaceSelection complement(FaceSelection faces) {
 VisibilityActions::VisibilityActions(Document& document, SceneView& view, QWidget& window)
     : QObject(&window), document_(document), window_(window), sets_(new QMenu(tr("S&ets"), &window)) {
   sets_->setToolTipsVisible(true);
+  // It outlives `fill_sets`, since users can give it a shortcut.
+  save_set_ = new_action(
+      window_, {tr("&Save selection as..."), {}, {}, tr("Save the selected faces as a set with a name")},
+      [this] { save_set(); });
   make_visibility(view);
   make_locks();
   connect(&document_, &Document::editor_state_changed, this, &VisibilityActions::fill_sets);
@@ -128,8 +132,7 @@ void VisibilityActions::fill_sets() {
     action->setStatusTip(tip);
     connect(action, &QAction::triggered, this, triggered);
   };
-  add_to(sets_, tr("&Save selection as..."), tr("Save the selected faces as a set with a name"),
-         [this] { save_set(); });
+  sets_->addAction(save_set_);
   for (const auto& [name, set] : document_.editor_state().face_sets) {
     QString title = QString::fromStdString(name);
     QMenu* menu = sets_->addMenu(title.replace('&', "&&"));

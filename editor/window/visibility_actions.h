@@ -45,6 +45,7 @@ class VisibilityActions : public QObject {
   Document& document_;
   QWidget& window_;
   QMenu* sets_;
+  QAction* save_set_;
   std::optional<FaceSelection> hidden_before_;  ///< isolating faces
   QList<QAction*> visibility_, locks_;
 };

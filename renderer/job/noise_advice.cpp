@@ -15,7 +15,7 @@ using options::RenderOptions;
 using transport::NoiseRatios;
 using transport::NoiseShare;
 
-constexpr int MostWidth = 192;
+constexpr int MostNoiseWidth = 192;
 constexpr int MostNoiseSamples = 16;
 constexpr int Images = 8;
 constexpr int TimedImages = 2;  // every second image
@@ -142,7 +142,7 @@ std::string NoiseChange::word() const {
 
 std::optional<NoiseReport> noise_report(const RenderOptions& render_options, const std::atomic<bool>& stopped,
                                         Diagnostics& diagnostics) {
-  const auto made = render_job(small(render_options, MostWidth), diagnostics);
+  const auto made = render_job(small(render_options, MostNoiseWidth), diagnostics);
   if (!made) return std::nullopt;
   const transport::RenderSettings& settings = made->settings;
   if (settings.integrator.integrator != transport::Integrator::Path) {
@@ -197,7 +197,7 @@ const NoiseTrials::Before* NoiseTrials::before(const RenderOptions& base, int sa
 std::optional<NoiseRatios> NoiseTrials::measured(const NoiseChange& change, const std::atomic<bool>& stopped,
                                                  Diagnostics& diagnostics) {
   const bool is_adaptive = change.option == "BPT_Adaptive";
-  const RenderOptions base = small(render_options_, is_adaptive ? MostWidth / 2 : MostWidth);
+  const RenderOptions base = small(render_options_, is_adaptive ? MostNoiseWidth / 2 : MostNoiseWidth);
   const int samples = is_adaptive ? AdaptiveSamples : std::min(base.samples_per_pixel(), MostNoiseSamples);
   const Before* now = before(base, samples, stopped, diagnostics);
   if (now == nullptr) return std::nullopt;

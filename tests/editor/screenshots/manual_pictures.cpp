@@ -104,7 +104,7 @@ QPixmap cost_page() {
   stage.open(Samples + "gallery/simple_scene.grf");
   editor::CostPage& page = stage.window().cost_page();
   page.open(Samples + "studies/cost/still_life.json");
-  stage.hide_docks({"scene", "object", "surface", "brdf", "lights", "cameras"});
+  stage.hide_docks({"scene", "object", "surface", "brdf", "lights", "cameras", "history", "uv"});
   stage.settle();
   return stage.picture();
 }
