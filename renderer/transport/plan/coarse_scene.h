@@ -17,7 +17,7 @@ struct CoarseSurface {
   const grf::Mesh* mesh = nullptr;  ///< null: a light
   /// In the mesh's list of surfaces; of a light, its number in the order in which `grf::visit` comes to them.
   std::uint32_t index = 0;
-  std::size_t faces = 0;            ///< over all placements
+  std::size_t faces = 0;  ///< over all placements
   bool emits = false;
   /// The components of the BRDF; a black face has none.
   bool is_diffuse = false, is_glossy = false, is_specular = false;
