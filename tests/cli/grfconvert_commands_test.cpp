@@ -142,7 +142,7 @@ end mesh
   ASSERT_EQ(risks.size(), 2U);
   EXPECT_EQ(risks[0]["kind"], "lamp_in_solid");
   EXPECT_EQ(risks[0]["line"], 1);
-  EXPECT_EQ(risks[1]["faces"], nlohmann::json({0}));
+  EXPECT_EQ(risks[1]["faces"], nlohmann::json::array({0}));
   EXPECT_EQ(risks[1]["share"], 0.5);
   EXPECT_EQ(nlohmann::json::parse(grfconvert({"check", "--json", path}).out)["files"][0].count("risks"), 0U);
 }
