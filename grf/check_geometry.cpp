@@ -14,29 +14,9 @@
 namespace grf {
 namespace {
 
-// The smallest area of a face relative to its longest edge squared: less is rounding.
-constexpr double LeastArea = 1e-7;
 // The tolerance of a light's plane, relative to the distance between light and vertex: closer points lie in
 // it.
 constexpr double LeastHeight = 1e-6;
-
-double longest_edge2(const Mesh& mesh, std::size_t face) {
-  const auto corners = mesh.face(face);
-  double longest = 0;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec3d a(mesh.geometry->positions[corners[k]]);
-    const Vec3d b(mesh.geometry->positions[corners[(k + 1) % corners.size()]]);
-    longest = std::max(longest, (a - b).length2());
-  }
-  return longest;
-}
-
-bool has_normals_behind(const Mesh& mesh, std::size_t face, const Vec3d& area) {
-  const auto corners = mesh.face(face);
-  return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-    return mesh.geometry->normals.has(corner) && Vec3d(mesh.geometry->normals[corner]).dot(area) < 0;
-  });
-}
 
 bool lacks_uv(const Mesh& mesh, std::size_t face) {
   const auto corners = mesh.face(face);
@@ -72,9 +52,9 @@ void FaceCheck::add(const Mesh& mesh, const SourceLocation& location, Diagnostic
   Found found{location, {}, {}, {}};
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
     const Vec3d area = doubled_area_vector(*mesh.geometry, i, Matrix44d());
-    if (area.length() <= LeastArea * longest_edge2(mesh, i)) {
+    if (!has_area(*mesh.geometry, i, area)) {
       add_face(found.flat, i);
-    } else if (has_normals_behind(mesh, i, area)) {
+    } else if (has_normals_behind(*mesh.geometry, i, area)) {
       add_face(found.turned, i);
     }
     if (lacks_uv(mesh, i)) add_face(found.without_uv, i);

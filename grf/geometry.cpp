@@ -1,5 +1,6 @@
 #include "grf/geometry.h"
 
+#include <algorithm>
 #include <mutex>
 #include <optional>
 
@@ -71,6 +72,25 @@ Vec3d doubled_area_vector(std::span<const std::uint32_t> face, std::span<const V
     sum += a.cross(b);
   }
   return sum;
+}
+
+bool has_area(const Geometry& geometry, std::size_t face, const Vec3d& doubled_area) {
+  constexpr double LeastArea = 1e-7;
+  const auto corners = geometry.face(face);
+  double longest = 0;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec3d a(geometry.positions[corners[k]]);
+    const Vec3d b(geometry.positions[corners[(k + 1) % corners.size()]]);
+    longest = std::max(longest, (a - b).length2());
+  }
+  return doubled_area.length() > LeastArea * longest;
+}
+
+bool has_normals_behind(const Geometry& geometry, std::size_t face, const Vec3d& doubled_area) {
+  const auto corners = geometry.face(face);
+  return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
+    return geometry.normals.has(corner) && Vec3d(geometry.normals[corner]).dot(doubled_area) < 0;
+  });
 }
 
 double area_of(const Geometry& geometry, const Matrix44d& to_world) {

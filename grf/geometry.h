@@ -102,6 +102,11 @@ Vec3d doubled_area_vector(std::span<const std::uint32_t> face, std::span<const V
 inline Vec3d doubled_area_vector(const Geometry& geometry, std::size_t face, const Matrix44d& to_world) {
   return doubled_area_vector(geometry.face(face), geometry.positions, to_world);
 }
+/// Returns whether a face has more area than rounding leaves to one without: over 1e-7 of the square of its
+/// longest edge. `doubled_area` is its `doubled_area_vector`, untransformed.
+bool has_area(const Geometry& geometry, std::size_t face, const Vec3d& doubled_area);
+/// Returns whether all corners of a face have vertex normals that point away from its front.
+bool has_normals_behind(const Geometry& geometry, std::size_t face, const Vec3d& doubled_area);
 
 /// Computes the total area of all faces under a transform.
 double area_of(const Geometry& geometry, const Matrix44d& to_world);

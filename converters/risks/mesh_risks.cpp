@@ -19,23 +19,11 @@ using grf::Mesh;
 using grf::Vec2d;
 using grf::Vec3d;
 
-constexpr double LeastArea = 1e-7;     // relative to the longest edge squared: less is rounding
 constexpr double LeastUvArea = 1e-10;  // of an image whose sides are 1
-
-double longest_edge2(const Mesh& mesh, std::uint32_t face) {
-  const auto corners = mesh.face(face);
-  double longest = 0;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec3d a(mesh.geometry->positions[corners[k]]);
-    const Vec3d b(mesh.geometry->positions[corners[(k + 1) % corners.size()]]);
-    longest = std::max(longest, (a - b).length2());
-  }
-  return longest;
-}
 
 bool has_area(const Mesh& mesh, std::uint32_t face) {
   const Vec3d doubled = grf::doubled_area_vector(*mesh.geometry, face, {});
-  return doubled.length() > LeastArea * longest_edge2(mesh, face);
+  return grf::has_area(*mesh.geometry, face, doubled);
 }
 
 std::vector<std::uint32_t> faces_where(const Mesh& mesh, const std::function<bool(std::uint32_t)>& is_found) {
@@ -96,14 +84,11 @@ std::vector<std::uint32_t> duplicate_faces(const Mesh& mesh) {
 }
 
 std::vector<std::uint32_t> faces_against_normals(const Mesh& mesh) {
-  const auto& normals = mesh.geometry->normals;
-  if (normals.empty()) return {};
+  if (mesh.geometry->normals.empty()) return {};
   return faces_where(mesh, [&](std::uint32_t face) {
     const Vec3d doubled = grf::doubled_area_vector(*mesh.geometry, face, {});
-    const auto corners = mesh.face(face);
-    return has_area(mesh, face) && std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-             return normals.has(corner) && Vec3d(normals[corner]).dot(doubled) < 0;
-           });
+    return grf::has_area(*mesh.geometry, face, doubled) &&
+           grf::has_normals_behind(*mesh.geometry, face, doubled);
   });
 }
 
