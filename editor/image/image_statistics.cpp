@@ -45,7 +45,7 @@ ImageStatistics statistics_of(const transport::Image& image) {
   const std::size_t step = 1 + image.pixels.size() / MostSamples;
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     if (!count(image.pixels[i], statistics)) continue;
-    const double luminance = luminance_of(image.pixels[i]);
+    const double luminance = reflectance::luminance(image.pixels[i]);
     sum += luminance;
     if (finite == 0) statistics.least_value = statistics.largest_value = image.pixels[i].x;
     for (const float value : {image.pixels[i].x, image.pixels[i].y, image.pixels[i].z}) {

@@ -75,7 +75,8 @@ QString pixel_text(const QPoint& pixel, const ShownImage& shown, const SharedIma
     return text + ImageBrowser::tr("   B: %1").arg(values_text(reference->at(pixel.x(), pixel.y()), shown));
   }
   if (!shown.layer.isEmpty()) return text;
-  return text + ImageBrowser::tr("   luminance %1 cd/m2").arg(number(CandelasPerWatt * luminance_of(value)));
+  return text + ImageBrowser::tr("   luminance %1 cd/m2")
+                    .arg(number(CandelasPerWatt * reflectance::luminance(value)));
 }
 
 QString image_read_filter() {

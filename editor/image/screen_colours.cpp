@@ -51,8 +51,6 @@ Rgb mean_of(const transport::Image& image, const QRect& block) {
 
 }  // namespace
 
-double luminance_of(const Rgb& pixel) { return 0.2126 * pixel.x + 0.7152 * pixel.y + 0.0722 * pixel.z; }
-
 ByteCurve::ByteCurve(ToneCurve curve) {
   // The bit patterns of positive floats are ordered: the first float of each byte is found by bisection.
   const auto reaches = [curve](std::uint32_t bits, int byte) {
@@ -139,7 +137,7 @@ QRgb ScreenColours::natural(const Rgb& pixel) const {
     case ImageChannel::Blue:
       return grey(pixel.z);
     case ImageChannel::Luminance:
-      return grey(static_cast<float>(luminance_of(pixel)));
+      return grey(static_cast<float>(reflectance::luminance(pixel)));
   }
   return qRgb(byte(pixel.x), byte(pixel.y), byte(pixel.z));
 }
@@ -154,9 +152,9 @@ QRgb ScreenColours::operator()(const Rgb& pixel) const {
     case Colouring::Natural:
       break;
     case Colouring::FalseColour:
-      return false_colour_by_table(static_cast<float>(luminance_of(pixel)));
+      return false_colour_by_table(static_cast<float>(reflectance::luminance(pixel)));
     case Colouring::Signed:
-      return signed_colour(luminance_of(pixel) / scale_.highest());
+      return signed_colour(reflectance::luminance(pixel) / scale_.highest());
   }
   return natural(pixel);
 }

@@ -48,9 +48,6 @@ struct ScreenSettings {
 inline constexpr QRgb NanColour = 0xffff00ff;
 inline constexpr QRgb InfiniteColour = 0xff00ffff;
 
-/// Luminance of linear RGB with sRGB primaries (ITU-R BT.709).
-double luminance_of(const reflectance::Rgb& pixel);
-
 /// Luminance in cd/m2 of a white radiance of 1 W/(sr m2), as in Radiance (Ward 1994).
 inline constexpr double CandelasPerWatt = 179;
 

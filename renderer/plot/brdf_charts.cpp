@@ -103,7 +103,7 @@ double channel_of(const Rgb& rgb, Channel channel) {
     case Channel::Luminance:
       break;
   }
-  return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;
+  return reflectance::luminance(rgb);
 }
 
 Vec3f direction_at(double degrees) {

@@ -19,6 +19,10 @@ constexpr float Pi = std::numbers::pi_v<float>;
 
 inline float mean(const Rgb& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 inline float largest(const Rgb& rgb) { return std::max({rgb.x, rgb.y, rgb.z}); }
+/// The luminance of linear sRGB. In double: three channels near the largest float sum to more.
+inline double luminance(const Rgb& rgb) {
+  return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
+}
 inline bool is_black(const Rgb& rgb) { return rgb.x <= 0 && rgb.y <= 0 && rgb.z <= 0; }
 
 /// Returns the mirror direction of u.

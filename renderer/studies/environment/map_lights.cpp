@@ -13,6 +13,7 @@
 namespace studies {
 namespace {
 
+using reflectance::luminance;
 using reflectance::Rgb;
 using transport::Image;
 
@@ -20,11 +21,6 @@ constexpr SphereGrid MostTexels = {2048, 1024};
 /// The limit of the rest over the mean luminance.
 constexpr double LimitOverMean = 16;
 constexpr double SmallestExtent = 4 * Degree;
-
-/// The luminance of linear sRGB.
-double luminance_of(const Rgb& rgb) {
-  return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
-}
 
 /// What a texel adds to the irradiance of a surface that faces it, above the limit.
 struct BrightTexel {
@@ -99,7 +95,7 @@ double mean_luminance(const Image& image, const SphereGrid& grid) {
   double sum = 0;
   for (int y = 0; y < image.height; ++y) {
     double row = 0;
-    for (int x = 0; x < image.width; ++x) row += luminance_of(image.at(x, y));
+    for (int x = 0; x < image.width; ++x) row += luminance(image.at(x, y));
     sum += row * grid.solid_angle(y, y + 1, 1);
   }
   return sum / (4 * std::numbers::pi);
@@ -111,9 +107,9 @@ std::vector<BrightTexel> bright_texels(const Image& image, const SphereGrid& gri
     const double solid_angle = grid.solid_angle(y, y + 1, 1);
     for (int x = 0; x < image.width; ++x) {
       const Rgb& texel = image.at(x, y);
-      if (luminance_of(texel) <= double(limit)) continue;
+      if (luminance(texel) <= double(limit)) continue;
       const Rgb excess = texel - below_limit(texel, limit);
-      bright.push_back({x, y, Imath::V3d(excess) * solid_angle, luminance_of(excess) * solid_angle});
+      bright.push_back({x, y, Imath::V3d(excess) * solid_angle, luminance(excess) * solid_angle});
     }
   }
   return bright;
@@ -122,9 +118,9 @@ std::vector<BrightTexel> bright_texels(const Image& image, const SphereGrid& gri
 }  // namespace
 
 Rgb below_limit(const Rgb& radiance, float limit) {
-  const double luminance = luminance_of(radiance);
-  if (luminance <= double(limit)) return radiance;
-  return radiance * static_cast<float>(double(limit) / luminance);
+  const double bright = luminance(radiance);
+  if (bright <= double(limit)) return radiance;
+  return radiance * static_cast<float>(double(limit) / bright);
 }
 
 MapLights map_lights(const Image& image, int most_lights) {

@@ -17,12 +17,8 @@ namespace {
 
 using grf::Vec2f;
 using grf::Vec3f;
+using reflectance::luminance;
 using reflectance::Rgb;
-
-/// The luminance of linear sRGB. In double: three channels near the largest float sum to more.
-double luminance(const Rgb& rgb) {
-  return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
-}
 
 /// Turns weights into a CDF, whose last value is 1, and returns their sum.
 double accumulate(std::span<const double> weights, float* shares) {
