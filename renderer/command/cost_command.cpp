@@ -8,7 +8,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,6 +20,7 @@
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_run.h"
 #include "renderer/job/render_job.h"
+#include "renderer/parallel/loops.h"
 
 namespace command {
 namespace {
@@ -196,8 +196,7 @@ CostConditions conditions_of(const CostArguments& arguments, const std::vector<C
   CostConditions conditions;
   conditions.fingerprint =
       fmt::format("{:08x}{:08x}{:08x}-{}", options, files, program, fmt::join(arguments.crop, ","));
-  conditions.threads =
-      of_image.threads > 0 ? of_image.threads : static_cast<int>(std::thread::hardware_concurrency());
+  conditions.threads = parallel::threads_for(of_image.threads);
   conditions.has_centred_rays = std::any_of(lines.begin(), lines.end(), is_naive);
   return conditions;
 }

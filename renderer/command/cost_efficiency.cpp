@@ -9,9 +9,9 @@
 namespace command {
 namespace {
 
-/// Returns Student's quantile of 97.5 %: from a table, and beyond it that of the table's last row, which is
-/// too wide rather than too narrow.
-double student_quantile(std::size_t degrees_of_freedom) {
+/// Returns Student's quantile of 97.5 %: from a table, since transport::student_quantile is too small for two
+/// or three rounds; and beyond it that of the table's last row, which is too wide rather than too narrow.
+double tabulated_student_quantile(std::size_t degrees_of_freedom) {
   constexpr std::array Quantiles = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228,
                                     2.201,  2.179, 2.160, 2.145, 2.131, 2.120, 2.110, 2.101, 2.093, 2.086};
   return Quantiles.at(std::min(degrees_of_freedom, Quantiles.size()) - 1);
@@ -57,7 +57,7 @@ std::optional<CostEfficiency> efficiency_of(const CostRounds& line, const std::v
   for (const double one : logarithms) mean += one / count;
   double square = 0;
   for (const double one : logarithms) square += (one - mean) * (one - mean);
-  const double half = student_quantile(rounds - 1) * std::sqrt(square / (count - 1) / count);
+  const double half = tabulated_student_quantile(rounds - 1) * std::sqrt(square / (count - 1) / count);
   return CostEfficiency{std::exp(mean), std::exp(mean - half), std::exp(mean + half)};
 }
 

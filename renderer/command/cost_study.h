@@ -10,7 +10,7 @@
 
 namespace command {
 
-/// What an earlier study has measured.
+/// A saved cost study has the rows and the reference that an earlier run measured.
 struct SavedCost {
   /// The settings of a row's line, see `key_of`.
   struct Row {

@@ -10,6 +10,7 @@
 #include "renderer/job/camera_path.h"
 #include "renderer/job/render_job.h"
 #include "renderer/parallel/loops.h"
+#include "renderer/transport/error_estimate.h"
 #include "renderer/transport/processor_clock.h"
 
 namespace job {
@@ -27,17 +28,6 @@ using transport::RenderSettings;
 constexpr int RoundsOfBudget = 8;
 constexpr int MostRounds = 64;
 constexpr int MostSamples = 256;
-
-/// The 97.5 % quantile of Student's t distribution, with an error of less than 1 % from 3 degrees of freedom
-/// (Abramowitz and Stegun 1964, "Handbook of Mathematical Functions", equation 26.7.5).
-double student_quantile(double freedom) {
-  constexpr double Z = 1.959964;
-  const double z2 = Z * Z;
-  const double first = (z2 + 1) / 4;
-  const double second = ((5 * z2 + 16) * z2 + 3) / 96;
-  const double third = (((3 * z2 + 19) * z2 + 17) * z2 - 15) / 384;
-  return Z * (1 + (first + (second + third / freedom) / freedom) / freedom);
-}
 
 double sum_of(std::span<const double> values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
@@ -63,10 +53,6 @@ RenderOptions without(RenderOptions all, Effect effect) {
   return all;
 }
 
-int threads_of(const RenderSettings& settings) {
-  return settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
-}
-
 struct Rendered {
   Image image;
   double seconds = 0;  ///< processor time per thread
@@ -80,7 +66,7 @@ Rendered rendered(const RenderJob& job, std::uint32_t seed, int samples) {
   Render render(job.scene, settings);
   const double start = transport::process_seconds();
   render.run();
-  const double seconds = (transport::process_seconds() - start) / threads_of(settings);
+  const double seconds = (transport::process_seconds() - start) / parallel::threads_for(settings.threads);
   return {render.snapshot().mean, seconds};
 }
 
@@ -125,7 +111,7 @@ std::optional<LostShare> lost_share(std::span<const double> with, std::span<cons
     const double residual = (without[i] - ratio * with[i]) / (sum / n);
     squares += residual * residual;
   }
-  const double margin = student_quantile(n - 1) * std::sqrt(squares / (n - 1) / n);
+  const double margin = transport::student_quantile(n - 1) * std::sqrt(squares / (n - 1) / n);
   return LostShare{1 - ratio, 1 - ratio - margin, 1 - ratio + margin};
 }
 

@@ -1,4 +1,4 @@
-// What the effects of a scene cost and contribute is measured by rendering with and without each of them.
+// Effects of a scene are measured by rendering with and without each of them: what they cost and contribute.
 #pragma once
 
 #include <atomic>
@@ -30,8 +30,8 @@ std::optional<LostShare> lost_share(std::span<const double> with, std::span<cons
 
 struct MeasuredEffect {
   transport::Effect effect = {};
-  /// Of the image's light, the mean over pixels and channels: what is lost if the effect is switched off, and
-  /// what stands in for it is rendered. Nothing if the image is black.
+  /// The share of the image's light, its mean over pixels and channels, that is lost if the effect is
+  /// switched off and what stands in for it is rendered. Nothing if the image is black.
   std::optional<LostShare> light;
   std::optional<LostShare> time;  ///< of rendering with as many samples, in processor time
   /// The root of the mean squared difference of pixels and channels, as a fraction of the image's light. The

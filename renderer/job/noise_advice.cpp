@@ -64,6 +64,13 @@ NoisePart brdf_part(const transport::CompiledScene& scene, const NoiseShare& sha
   return {NoisePart::Kind::Brdf, std::move(name), share, {}, table};
 }
 
+/// The words of an option's value: one, or two with a space between them.
+std::vector<std::string> words_of(const std::string& value) {
+  const std::size_t space = value.find(' ');
+  if (space == std::string::npos) return {value};
+  return {value.substr(0, space), value.substr(space + 1)};
+}
+
 /// The changes of one option to other words than its present one.
 void add_options(const RenderOptions& render_options, std::string_view key,
                  const std::vector<std::string>& values, std::vector<NoiseChange>& changes) {
@@ -72,12 +79,7 @@ void add_options(const RenderOptions& render_options, std::string_view key,
   const std::string before = words.empty() ? "none" : fmt::format("{}", fmt::join(words, " "));
   for (const std::string& value : values) {
     RenderOptions other = render_options;
-    std::vector<std::string> new_words = {value};
-    if (options::word_count(option) == 2) {
-      const std::size_t space = value.find(' ');
-      new_words = {value.substr(0, space), value.substr(space + 1)};
-    }
-    if (options::set_option(other, option, new_words) || other == render_options) continue;
+    if (options::set_option(other, option, words_of(value)) || other == render_options) continue;
     changes.push_back({std::string(key), value, before, {}, 0});
   }
 }
@@ -115,10 +117,7 @@ std::optional<RenderJob> measurement(const RenderOptions& render_options, int sa
 RenderOptions changed(RenderOptions render_options, const NoiseChange& change) {
   if (change.option.empty()) return render_options;
   const options::OptionInfo& option = *options::find_option(change.option);
-  const std::size_t space = change.value.find(' ');
-  std::vector<std::string> words = {change.value.substr(0, space)};
-  if (space != std::string::npos) words.push_back(change.value.substr(space + 1));
-  options::set_option(render_options, option, words);
+  options::set_option(render_options, option, words_of(change.value));
   return render_options;
 }
 

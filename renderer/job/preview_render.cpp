@@ -22,6 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 /// The time between images of one render; images that take long to make are sent less often.
 constexpr std::chrono::milliseconds Interval(80);
+
 /// Decides when the accuracy is measured, so that it takes a tenth of a thread's time at most: the map of
 /// errors twice per second, and the visible noise, which takes longer, less often.
 class AccuracySchedule {

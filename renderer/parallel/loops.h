@@ -16,6 +16,9 @@
 
 namespace parallel {
 
+/// Returns how many threads a setting asks for: 0 is one per core.
+inline int threads_for(int setting) { return setting > 0 ? setting : tbb::info::default_concurrency(); }
+
 /// Runs a function with its parallel loops limited to `threads` threads, the calling one included; 0: one per
 /// core. Concurrent calls do not limit each other.
 template <class Function>
@@ -24,7 +27,7 @@ void run_with_threads(int threads, const Function& function) {
   // active anywhere in the process wins: so every call sets the same large one.
   constexpr std::size_t MoreThanAnyJobUses = 4096;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, MoreThanAnyJobUses);
-  tbb::task_arena arena(threads > 0 ? threads : tbb::info::default_concurrency());
+  tbb::task_arena arena(threads_for(threads));
   arena.execute(function);
 }
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/transport/image/image_error.h"
+
 namespace transport {
 namespace {
 
 constexpr int PixelChannels = 3;
-/// The regularisation term in the denominator of relMSE.
-constexpr double RelmseFloor = 0.01;
 
 /// The 97.5 % quantile of the standard normal distribution.
 constexpr double NormalQuantile = 1.96;
@@ -347,15 +347,6 @@ OutlierErrors errors_of(const ErrorSums::Outliers& outliers) {
           errors_at(outliers, agreement_of(outliers, outliers.steady).bound(-1))};
 }
 
-/// The 97.5 % quantile of Student's t distribution (Cornish and Fisher 1938).
-double student_quantile(double freedom) {
-  constexpr double Z = NormalQuantile;
-  constexpr double Z2 = Z * Z;
-  const double v = 1 / freedom;
-  return Z * (1 + v * ((Z2 + 1) / 4 + v * (((5 * Z2 + 16) * Z2 + 3) / 96 +
-                                           v * (((3 * Z2 + 19) * Z2 + 17) * Z2 - 15) / 384)));
-}
-
 /// The largest difference, in 95 % of cases, of the logarithms of two estimates of one error, each the root
 /// of a mean square with this many degrees of freedom: the root of F's quantile is exp of this, since 2 t /
 /// sqrt(v) = sqrt(F) - 1/sqrt(F) (Cacoullos 1965, "A relation between t and F-distributions").
@@ -381,6 +372,14 @@ double freedom_of(const ErrorSums& sums, const Supplement& touched, double outli
 }
 
 }  // namespace
+
+double student_quantile(double freedom) {
+  constexpr double Z = NormalQuantile;
+  constexpr double Z2 = Z * Z;
+  const double v = 1 / freedom;
+  return Z * (1 + v * ((Z2 + 1) / 4 + v * (((5 * Z2 + 16) * Z2 + 3) / 96 +
+                                           v * (((3 * Z2 + 19) * Z2 + 17) * Z2 - 15) / 384)));
+}
 
 ErrorSums& ErrorSums::add(const ErrorSums& other, double factor) {
   values += factor * other.values;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderer/parallel/loops.h"
+#include "renderer/transport/image/image_error.h"
 
 namespace transport {
 namespace {
@@ -95,7 +96,7 @@ double FilmTile::spread_since(const FilmTile& before, int scrambling) const {
     const Imath::V3d& all = pixels[i][half];
     const Imath::V3d difference = early / n - (all - early) / m;
     const Imath::V3d mean = all / (n + m);
-    for (int k = 0; k < 3; ++k) sum += difference[k] * difference[k] / (mean[k] * mean[k] + 0.01);
+    for (int k = 0; k < 3; ++k) sum += difference[k] * difference[k] / (mean[k] * mean[k] + RelmseFloor);
   }
   return sum / (1 / n + 1 / m);
 }

@@ -7,15 +7,13 @@
 #include <utility>
 
 #include "renderer/parallel/loops.h"
+#include "renderer/transport/image/image_error.h"
 #include "renderer/transport/processor_clock.h"
 
 namespace transport {
 namespace {
 
 using grf::Vec3d;
-
-// The least squared radiance that errors are relative to, as in ErrorEstimate.
-constexpr double Floor = 0.01;
 
 /// Noise and light of the parts of one list, in no unit.
 struct Sums {
@@ -52,8 +50,8 @@ class PixelParts {
           covariance += (images[i][channel] - part_mean[channel]) * (total[i][channel] - mean[channel]);
         }
         covariance /= static_cast<double>(images_ - 1);
-        sums.noise[part] += covariance / (mean[channel] * mean[channel] + Floor);
-        sums.light[part] += part_mean[channel] / std::sqrt(mean[channel] * mean[channel] + Floor);
+        sums.noise[part] += covariance / (mean[channel] * mean[channel] + RelmseFloor);
+        sums.light[part] += part_mean[channel] / std::sqrt(mean[channel] * mean[channel] + RelmseFloor);
       }
     }
   }
@@ -176,7 +174,7 @@ double row_variance(const std::vector<Image>& images, int y) {
         const double difference = double(image.at(x, y)[channel]) - mean;
         squares += difference * difference;
       }
-      sum += squares / (count - 1) / (mean * mean + Floor);
+      sum += squares / (count - 1) / (mean * mean + RelmseFloor);
     }
   }
   return sum / (3.0 * images.front().width);

@@ -30,7 +30,7 @@ struct Sums {
       const double expected = reference[i];
       const double d = std::abs(pixel[i] - expected);
       squares += d * d;
-      relative_squares += d * d / (expected * expected + 0.01);
+      relative_squares += d * d / (expected * expected + RelmseFloor);
       difference += d;
       radiance += expected;
       peak = std::max(peak, expected);

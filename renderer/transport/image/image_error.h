@@ -8,10 +8,13 @@
 
 namespace transport {
 
+/// What is added to the denominator of relMSE, so that the error of dark pixels is bounded.
+inline constexpr double RelmseFloor = 0.01;
+
 /// Error metrics; means are over pixels and channels, without the pixels that are not finite in both images.
 struct ImageError {
   double rmse = 0;    ///< square root of the mean squared difference
-  double relmse = 0;  ///< mean of difference^2 / (reference^2 + 0.01)
+  double relmse = 0;  ///< mean of difference^2 / (reference^2 + RelmseFloor)
   /// The thesis' error (section 5.4): the mean of |difference| / reference over the pixels whose radiance is
   /// not zero in the reference; the channels of a pixel are summed first. Empty if all are black.
   std::optional<double> average_relative_error;
