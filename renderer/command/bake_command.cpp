@@ -12,6 +12,7 @@
 #include "grf/visit.h"
 #include "grf/wording.h"
 #include "grf/write.h"
+#include "renderer/command/json_values.h"
 #include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_run.h"
@@ -97,7 +98,7 @@ void print_summary(const Bake& bake, const BakeArguments& arguments) {
   summary["render_seconds"] = bake.totals().seconds;
   summary["estimated_error"] = error ? nlohmann::json(*error) : nlohmann::json(nullptr);
   const bool has_lines = arguments.progress == "json";
-  if (arguments.json) fmt::print("{}\n", summary.dump(has_lines ? -1 : 2));
+  if (arguments.json) fmt::print("{}\n", json_text(summary, has_lines));
   if (arguments.json || has_lines) return;
   fmt::print("{}: irradiance at {}, {} per vertex, in {}\n", arguments.output,
              counted(bake.value_count(), "vertex", "vertices"), samples_text(bake.samples_per_vertex()),

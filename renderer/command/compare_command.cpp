@@ -54,7 +54,7 @@ void print_json(const Comparison& comparison, const CompareArguments& arguments)
   json["nan_pixels"] = error.nan_pixels;
   json["fireflies"] = error.fireflies;
   json["visible_difference"] = json_of(visible, {arguments.exposure, arguments.pixels_per_degree});
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", json_text(json, false));
 }
 
 void print_text(const Comparison& comparison) {

@@ -260,7 +260,7 @@ std::string json_of(const CostResult& result, bool is_one_line) {
   }
   json["winner"] =
       result.winner ? ordered_json(result.lines[*result.winner].line.name) : ordered_json(nullptr);
-  return json.dump(is_one_line ? -1 : 2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_text(json, is_one_line) + "\n";
 }
 
 std::string text_of(const CostResult& result) {

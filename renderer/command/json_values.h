@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -13,6 +14,13 @@
 #include "renderer/transport/image/visible_difference.h"
 
 namespace command {
+
+/// Returns a JSON value as text, indented or on one line. Names of files and scenes are bytes: what is no
+/// UTF-8 in them is replaced.
+template <class Json>
+std::string json_text(const Json& json, bool is_one_line) {
+  return json.dump(is_one_line ? -1 : 2, ' ', false, Json::error_handler_t::replace);
+}
 
 /// Returns the number, or null where there is none or it is not finite.
 inline nlohmann::ordered_json number_or_null(const std::optional<double>& number) {

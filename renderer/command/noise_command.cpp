@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/command/json_values.h"
 #include "renderer/job/noise_advice.h"
 
 namespace command {
@@ -82,12 +83,8 @@ Json json_of_report(const NoiseReport& report) {
           {"brdfs", list_of(report.brdfs)}, {"advice", advice_of(report)}};
 }
 
-std::string text_of(const Json& json, int indent) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
-
 void print_line(const Json& json) {
-  fmt::print("{}\n", text_of(json, -1));
+  fmt::print("{}\n", json_text(json, true));
   std::fflush(stdout);
 }
 
@@ -170,7 +167,7 @@ ExitCode noise(const NoiseArguments& arguments) {
     if (!arguments.json && !prints_lines) print_trials(*trials);
   }
   fmt::print(stderr, "{}", problems.to_text());
-  if (arguments.json && !prints_lines) fmt::print("{}\n", text_of(json, 2));
+  if (arguments.json && !prints_lines) fmt::print("{}\n", json_text(json, false));
   return ExitCode::Done;
 }
 

@@ -154,15 +154,14 @@ void measure(const PlanArguments& arguments, const options::RenderOptions& rende
     std::error_code ignored;  // writing to it reports the error
     std::filesystem::create_directories(arguments.images, ignored);
   }
-  job::EffectMeasurement measurement(render_options, plan, arguments.measurement,
-                                     [&](const job::MeasuredEffect& measured) {
-                                       effects.push_back(json_of_effect(measured));
-                                       if (!arguments.images.empty())
-                                         write_images(measured, arguments.images, diagnostics);
-                                       if (arguments.progress != "json") return;
-                                       fmt::print("{}\n", Json{{"measured", effects.back()}}.dump());
-                                       std::fflush(stdout);
-                                     });
+  job::EffectMeasurement measurement(
+      render_options, plan, arguments.measurement, [&](const job::MeasuredEffect& measured) {
+        effects.push_back(json_of_effect(measured));
+        if (!arguments.images.empty()) write_images(measured, arguments.images, diagnostics);
+        if (arguments.progress != "json") return;
+        fmt::print("{}\n", json_text(Json{{"measured", effects.back()}}, true));
+        std::fflush(stdout);
+      });
   SignalHandler signal_handler;
   run_watched(measurement, signal_handler, [] {});
   for (const grf::Diagnostic& each : measurement.diagnostics().entries()) {
@@ -217,7 +216,7 @@ ExitCode plan(const PlanArguments& arguments) {
   }
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (diagnostics.error_count() > 0) return ExitCode::BadInput;
-  if (arguments.json) fmt::print("{}\n", report.dump(arguments.progress == "json" ? -1 : 2));
+  if (arguments.json) fmt::print("{}\n", json_text(report, arguments.progress == "json"));
   if (!arguments.json) print_text(report);
   if (!arguments.json && arguments.measures) print_measurement(report["measurement"]);
   return ExitCode::Done;

@@ -94,7 +94,7 @@ nlohmann::json visible_difference_of(const transport::Render& render, const Rend
 
 void print(const nlohmann::json& summary, const RenderArguments& arguments) {
   const bool has_lines = arguments.progress == "json";
-  if (arguments.json) fmt::print("{}\n", summary.dump(has_lines ? -1 : 2));
+  if (arguments.json) fmt::print("{}\n", json_text(summary, has_lines));
   if (arguments.json || has_lines) return;
   const auto number = [&](const char* name) { return summary[name].get<double>(); };
   fmt::print("{}: {}x{} pixels, {} per pixel\n", summary["output"].get<std::string>(),

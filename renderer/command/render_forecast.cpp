@@ -97,10 +97,7 @@ struct ForecastReport {
   bool is_one_line = false;  ///< of JSON
   std::vector<TargetForecast> forecasts;
 
-  int threads() const {
-    const int given = probe.settings().threads;
-    return given > 0 ? given : tbb::info::default_concurrency();
-  }
+  int threads() const { return parallel::threads_for(probe.settings().threads); }
 };
 
 void print_json(const ForecastReport& report) {
@@ -118,7 +115,7 @@ void print_json(const ForecastReport& report) {
                      {"estimated_error_interval", {check.estimate.low, check.estimate.high}}};
   object["probability"] = transport::Forecast::Coverage;
   object["forecasts"] = json_of(report.forecasts);
-  fmt::print("{}\n", object.dump(report.is_one_line ? -1 : 2));
+  fmt::print("{}\n", json_text(object, report.is_one_line));
 }
 
 std::string reached_time_text(double seconds) {

@@ -35,8 +35,7 @@ void print_json(const RenderProgress& progress, const nlohmann::json& image) {
   line["image"] = image;
   if (!progress.forecasts.empty()) line["forecasts"] = json_of(progress.forecasts);
   // Not fmt::print, which throws: a reader that closed the pipe is no reason to stop.
-  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  std::fputs((line.dump(-1, ' ', false, replace) + "\n").c_str(), stdout);
+  std::fputs((json_text(line, true) + "\n").c_str(), stdout);
   std::fflush(stdout);
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/command/json_values.h"
 #include "renderer/sky/sky_map.h"
 #include "renderer/transport/image/image_file.h"
 
@@ -58,7 +59,7 @@ void print(const sky::SkyMap& map, const SkyArguments& arguments) {
     report["sun_illuminance"] = 1000 * map.sun_illuminance;
     report["sky_illuminance"] = 1000 * map.sky_illuminance;
     report["brightness"] = map.brightness();
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", json_text(report, false));
     return;
   }
   fmt::print("sun: azimuth {:.2f} degrees from north over east, elevation {:.2f} degrees\n", map.sun.azimuth,

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/bpt.h"
@@ -58,6 +59,15 @@ TEST_F(BptPlan, SaysWhatIsLeftOutAndWhatThatSaves) {
   }
   EXPECT_EQ(report["saved"]["table_bytes"], report["tables"][1]["bytes"]);
   EXPECT_EQ(report["textures"][0]["file_bytes"], nullptr) << "there is no such file";
+}
+
+// Names in files are bytes, and JSON is text in UTF-8.
+TEST_F(BptPlan, ReplacesBytesOfNamesThatAreNotUtf8) {
+  write("scene.grf",
+        "begin mesh \"a\xff\" light rgb (1,1,1) begin vertexs (-1,-1,0)(1,-1,0)(1,1,0)(-1,1,0) end vertexs "
+        "begin faces (0,1,2,3) end faces end mesh");
+  const json report = plan({});
+  EXPECT_THAT(report.dump(), testing::HasSubstr("a\xef\xbf\xbd"));
 }
 
 TEST_F(BptPlan, IsWhatARenderDoes) {
