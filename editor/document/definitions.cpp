@@ -311,10 +311,7 @@ FaceSelection faces_with(const grf::Scene& scene, const SceneObjects& objects, g
       });
     }
     const auto number = meshes.find({placement.path.begin(), placement.path.end()});
-    if (number == meshes.end()) return;
-    for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
-      if (has[(*mesh.surface_of_face)[face]]) faces.set({number->second, face});
-    }
+    if (number != meshes.end()) select_surfaces(mesh, number->second, has, faces);
   };
   grf::SceneVisitor visitor;
   visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {

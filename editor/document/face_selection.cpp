@@ -235,6 +235,13 @@ grf::Box3d bounds_of(const SceneObjects& objects, const FaceSelection& selection
   return box;
 }
 
+void select_surfaces(const grf::Mesh& mesh, std::uint32_t index, const std::vector<bool>& surfaces,
+                     FaceSelection& selection) {
+  for (std::uint32_t face = 0; face < mesh.face_count(); ++face) {
+    if (surfaces[(*mesh.surface_of_face)[face]]) selection.set({index, face});
+  }
+}
+
 std::vector<bool> selected_surfaces(const SceneObjects& objects, const FaceSelection& selection,
                                     std::uint32_t mesh) {
   const grf::Mesh& of_selection = *objects.meshes[mesh].mesh;

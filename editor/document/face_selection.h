@@ -94,6 +94,10 @@ class FaceCorrespondence {
 /// The bounds of the selected faces in world space, in all instances; empty if there are none.
 grf::Box3d bounds_of(const SceneObjects& objects, const FaceSelection& selection);
 
+/// Selects the faces of a mesh, which has this index among the objects, whose surfaces are flagged.
+void select_surfaces(const grf::Mesh& mesh, std::uint32_t index, const std::vector<bool>& surfaces,
+                     FaceSelection& selection);
+
 /// Flags the surfaces of a mesh that selected faces have.
 std::vector<bool> selected_surfaces(const SceneObjects& objects, const FaceSelection& selection,
                                     std::uint32_t mesh);

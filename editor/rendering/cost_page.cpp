@@ -108,6 +108,9 @@ void CostPage::describe_views() {
   table_->setFixedHeight(18 * Grid);
   progress_->setAccessibleName(tr("Progress of the study"));
   progress_->setRange(0, 1000);
+  QSizePolicy keeps_its_place = progress_->sizePolicy();
+  keeps_its_place.setRetainSizeWhenHidden(true);
+  progress_->setSizePolicy(keeps_its_place);
   op_->setAccessibleName(tr("Settings of the winner"));
   op_->setToolTip(tr("The lines of an OP file, and the PDF of a scene, that take the winner"));
   op_->setReadOnly(true);
@@ -167,10 +170,9 @@ void CostPage::connect_runs() {
 
 CostPage::~CostPage() = default;
 
-QPushButton* CostPage::button(const QString& text, const QString& tip, const std::function<void()>& pressed) {
+QPushButton* CostPage::button(const QString& text, const std::function<void()>& pressed) {
   auto* result = new QPushButton(text, this);
   result->setAccessibleName(text);
-  result->setToolTip(tip);
   connect(result, &QPushButton::clicked, this, pressed);
   return result;
 }
@@ -178,14 +180,11 @@ QPushButton* CostPage::button(const QString& text, const QString& tip, const std
 QHBoxLayout* CostPage::make_run_row() {
   auto* row = new QHBoxLayout;
   row->setSpacing(Grid);
-  start_ = button(tr("Start the study"), tr("Measure all curves afresh"), [this] { start({}); });
-  continue_ =
-      button(tr("Continue the study"), tr("Measure what the shown study lacks"), [this] { start(file_); });
-  stop_ =
-      button(tr("Stop the study"), tr("End the study, and keep what was measured"), [this] { run_.stop(); });
-  open_ = button(tr("Open a study"), tr("Open the JSON file of a study of bpt cost, to show or continue it"),
-                 [this] { ask_to_open(); });
-  save_ = button(tr("Save the study"), {}, [this] { ask_to_save(); });
+  start_ = button(tr("Start the study"), [this] { start({}); });
+  continue_ = button(tr("Continue the study"), [this] { start(file_); });
+  stop_ = button(tr("Stop the study"), [this] { run_.stop(); });
+  open_ = button(tr("Open a study"), [this] { ask_to_open(); });
+  save_ = button(tr("Save the study"), [this] { ask_to_save(); });
   for (QPushButton* one : {start_, continue_, stop_}) row->addWidget(one);
   row->addWidget(progress_, 1);
   for (QPushButton* one : {open_, save_}) row->addWidget(one);
@@ -204,9 +203,8 @@ QHBoxLayout* CostPage::make_winner_row() {
   row->setSpacing(Grid);
   row->addWidget(op_, 1);
   auto* buttons = new QVBoxLayout;
-  take_ = button(tr("Take the winner"), {}, [this] { take_winner(); });
-  copy_ = button(tr("Copy the settings"), tr("Copy the settings of the winner as text"),
-                 [this] { QApplication::clipboard()->setText(op_->toPlainText()); });
+  take_ = button(tr("Take the winner"), [this] { take_winner(); });
+  copy_ = button(tr("Copy the settings"), [this] { QApplication::clipboard()->setText(op_->toPlainText()); });
   buttons->addWidget(take_);
   buttons->addWidget(copy_);
   buttons->addStretch(1);
@@ -225,8 +223,8 @@ QHBoxLayout* CostPage::make_picture_row() {
     row->addWidget(list, 1);
     connect(list, &QComboBox::currentIndexChanged, this, &CostPage::enable_buttons);
   }
-  equal_time_ = button(tr("At equal time"), {}, [this] { render_pair(&samples_at_equal_time); });
-  equal_error_ = button(tr("At equal error"), {}, [this] { render_pair(&samples_at_equal_error); });
+  equal_time_ = button(tr("At equal time"), [this] { render_pair(&samples_at_equal_time); });
+  equal_error_ = button(tr("At equal error"), [this] { render_pair(&samples_at_equal_error); });
   row->addWidget(equal_time_);
   row->addWidget(equal_error_);
   return row;
@@ -317,11 +315,9 @@ void CostPage::show_winner() {
   }
 }
 
+/// Enables the buttons, whose tool tips say what they do or why they cannot.
 void CostPage::enable_buttons() {
   const bool is_running = run_.is_running();
-  QSizePolicy keeps_its_place = progress_->sizePolicy();
-  keeps_its_place.setRetainSizeWhenHidden(true);
-  progress_->setSizePolicy(keeps_its_place);
   progress_->setVisible(is_running);
   const QString busy = is_running ? tr("A study is running.") : QString();
   const QString none = has_points(study_) ? busy : tr("There is no study.");

@@ -64,7 +64,7 @@ class CostPage : public QWidget {
   };
   using Pairing = std::optional<SamplePair> (*)(const CostCurve& a, const CostCurve& b);
 
-  QPushButton* button(const QString& text, const QString& tip, const std::function<void()>& pressed);
+  QPushButton* button(const QString& text, const std::function<void()>& pressed);
   void describe_views();
   void lay_out();
   void connect_runs();

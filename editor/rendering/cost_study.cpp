@@ -6,17 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/rendering/json_number.h"
 #include "renderer/options/op_line.h"
 
 namespace editor {
 namespace {
 
 constexpr double MostSamples = 1e6;
-
-std::optional<double> number_in(const QJsonObject& object, const char* name) {
-  const QJsonValue value = object.value(QLatin1String(name));
-  return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
-}
 
 CostCurve curve_of(const QJsonObject& fit) {
   CostCurve curve;

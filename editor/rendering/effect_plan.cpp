@@ -32,13 +32,6 @@ ObjectsOfMesh objects_of_mesh(const grf::Scene& scene, const SceneObjects& objec
   return result;
 }
 
-void add_faces(const SceneObjects& objects, std::uint32_t mesh, std::uint32_t surface, FaceSelection& faces) {
-  const grf::Mesh& of = *objects.meshes[mesh].mesh;
-  for (std::uint32_t face = 0; face < of.face_count(); ++face) {
-    if ((*of.surface_of_face)[face] == surface) faces.set({mesh, face});
-  }
-}
-
 Words without(const Words& words, Effect effect) {
   Words result;
   for (const std::string& word : words) {
@@ -88,7 +81,11 @@ EffectPlan effect_plan(const FinalRenderRequest& request, const SceneObjects& ob
       }
       const auto meshes = of_mesh.find(place.mesh);
       if (meshes == of_mesh.end()) continue;
-      for (const std::uint32_t mesh : meshes->second) add_faces(objects, mesh, place.index, row.faces);
+      std::vector<bool> surfaces(place.mesh->surfaces.size());
+      surfaces[place.index] = true;
+      for (const std::uint32_t mesh : meshes->second) {
+        select_surfaces(*objects.meshes[mesh].mesh, mesh, surfaces, row.faces);
+      }
     }
     result.rows.push_back(std::move(row));
   }

@@ -228,15 +228,10 @@ void EffectsPage::follow() {
   is_plan_outdated_ = false;
   planning_.start([request = request_(), objects = document_.shared_objects()](
                       const StopFlag&) { return effect_plan(request, *objects); },
-                  [this, objects = document_.shared_objects()](EffectPlan plan) {
-                    objects_ = objects;
-                    take_plan(std::move(plan));
+                  [this](EffectPlan plan) {
+                    plan_ = std::move(plan);
+                    show_rows();
                   });
-}
-
-void EffectsPage::take_plan(EffectPlan plan) {
-  plan_ = std::move(plan);
-  show_rows();
 }
 
 void EffectsPage::show_rows() {

@@ -54,7 +54,6 @@ class EffectsPage : public QWidget {
   void connect_document();
   void outdate();
   void follow();
-  void take_plan(EffectPlan plan);
   void show_rows();
   void show_row(QTreeWidgetItem& item, const EffectRow& row);
   void show_shares(QTreeWidgetItem& item, transport::Effect effect);
@@ -70,7 +69,7 @@ class EffectsPage : public QWidget {
   QString image_of(transport::Effect effect, const QString& kind) const;
   QImage picture_of(transport::Effect effect) const;
 
-  /// What was measured of an effect.
+  /// A measured effect has shares of the light and the time, and a picture.
   struct Measured {
     EffectShares shares;
     QImage picture;  ///< the difference to the full image
@@ -79,7 +78,6 @@ class EffectsPage : public QWidget {
   Document& document_;
   const std::function<FinalRenderRequest()> request_;
   EffectPlan plan_;
-  std::shared_ptr<const SceneObjects> objects_;  ///< that the plan is of
   std::map<transport::Effect, Measured> measured_;
   bool is_plan_outdated_ = true;
   bool are_shares_outdated_ = false;

@@ -105,12 +105,9 @@ void FinalRender::start(FinalRenderRequest request) {
   const QString replaced = images_.size() == 1 ? output_ : QString();
   const QString former = base + "_former." + QFileInfo(output_).suffix();
   writing_.setFuture(QtConcurrent::run([request = std::move(request), base, replaced, former] {
-    grf::Diagnostics diagnostics;
-    const bool is_written = write_snapshot(request.scene, request.path, base + ".grf", diagnostics) &&
-                            write_op_file(request.options, base + ".op", diagnostics);
+    const QString problem = write_snapshot_files(request.scene, request.path, request.options, base);
     const bool is_kept = QFile::exists(replaced) && keep_copy(replaced, former);
-    return is_written ? Files{base + ".op", {}, is_kept ? former : QString()}
-                      : Files{{}, text_of(diagnostics), {}};
+    return problem.isEmpty() ? Files{base + ".op", {}, is_kept ? former : QString()} : Files{{}, problem, {}};
   }));
 }
 

@@ -56,11 +56,8 @@ void IrradianceBake::start(const grf::Scene& scene, const QString& path,
   result_ = {};
   render_options = bake_options(std::move(render_options), named, file("grf"));
   writing_.setFuture(
-      QtConcurrent::run([scene, render_options, from = named, snapshot = file("grf"), op = file("op")] {
-        grf::Diagnostics diagnostics;
-        const bool is_written = write_snapshot(scene, from, snapshot, diagnostics) &&
-                                write_op_file(render_options, op, diagnostics);
-        return is_written ? QString() : text_of(diagnostics);
+      QtConcurrent::run([scene, render_options, from = named, base = folder_.filePath("scene")] {
+        return write_snapshot_files(scene, from, render_options, base);
       }));
 }
 

@@ -8,14 +8,6 @@
 namespace editor {
 namespace {
 
-/// Selects the faces of a mesh whose surface is one of these.
-void add_faces(const grf::Mesh& mesh, std::uint32_t index, const std::vector<bool>& surfaces,
-               FaceSelection& selection) {
-  for (std::size_t face = 0; face < mesh.face_count(); ++face) {
-    if (surfaces[(*mesh.surface_of_face)[face]]) selection.set({index, static_cast<std::uint32_t>(face)});
-  }
-}
-
 FaceSelection emitting_faces(const SceneObjects& objects, std::size_t instance) {
   FaceSelection selection(objects);
   if (instance >= objects.instances->size()) return selection;
@@ -25,7 +17,7 @@ FaceSelection emitting_faces(const SceneObjects& objects, std::size_t instance) 
   for (const FlatSurface& surface : object.flat_surfaces) {
     are_emitting.push_back(object.is_light || surface.emission.value_or(grf::Colour(0)) != grf::Colour(0));
   }
-  add_faces(*object.mesh, index, are_emitting, selection);
+  select_surfaces(*object.mesh, index, are_emitting, selection);
   return selection;
 }
 
@@ -44,7 +36,7 @@ FaceSelection faces_with(const Document& document, const std::string& brdf, cons
       are_such.push_back(transport::brdf_text(resolved.brdf) == brdf &&
                          (scheme.empty() || transport::scheme_text(resolved.pdf) == scheme));
     }
-    add_faces(mesh, (*objects.instances)[instance++].mesh, are_such, selection);
+    select_surfaces(mesh, (*objects.instances)[instance++].mesh, are_such, selection);
   };
   grf::visit(document.scene(), visitor, document.path().toStdString());
   return selection;

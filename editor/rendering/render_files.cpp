@@ -4,6 +4,8 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 
+#include "editor/controls/text.h"
+#include "editor/document/op_files.h"
 #include "grf/relocate.h"
 #include "grf/write.h"
 
@@ -21,6 +23,14 @@ bool write_snapshot(const grf::Scene& scene, const QString& scene_path, const QS
   grf::Scene snapshot = grf::flatten(scene, from);
   grf::relocate(snapshot, from, path.toStdString());
   return grf::write(snapshot, path.toStdString(), diagnostics);
+}
+
+QString write_snapshot_files(const grf::Scene& scene, const QString& scene_path,
+                             const options::RenderOptions& render_options, const QString& base) {
+  grf::Diagnostics diagnostics;
+  const bool is_written = write_snapshot(scene, scene_path, base + ".grf", diagnostics) &&
+                          write_op_file(render_options, base + ".op", diagnostics);
+  return is_written ? QString() : text_of(diagnostics);
 }
 
 QString file_of_camera(const QString& file, const std::string& camera) {

@@ -6,6 +6,7 @@
 
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
+#include "renderer/options/render_options.h"
 
 namespace editor {
 
@@ -16,6 +17,11 @@ QString naming_path(const QString& scene_path);
 /// Returns false after an error.
 bool write_snapshot(const grf::Scene& scene, const QString& scene_path, const QString& path,
                     grf::Diagnostics& diagnostics);
+
+/// Writes the snapshot of a scene as `base`.grf, and options, which must name that, as `base`.op. Returns the
+/// problem; empty if both are written.
+QString write_snapshot_files(const grf::Scene& scene, const QString& scene_path,
+                             const options::RenderOptions& render_options, const QString& base);
 
 /// The image of a camera: `scene_side.exr` for `scene.exr`; the same file for the camera without a name. A
 /// camera may have any name, a file may not: other letters become underscores.

@@ -7,13 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/rendering/json_number.h"
+
 namespace editor {
 namespace {
-
-std::optional<double> number(const QJsonObject& object, const char* name) {
-  const QJsonValue value = object.value(QLatin1String(name));
-  return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
-}
 
 std::vector<ForecastTime> forecasts(const QJsonObject& object) {
   std::vector<ForecastTime> times;
@@ -23,23 +20,23 @@ std::vector<ForecastTime> forecasts(const QJsonObject& object) {
     const auto bound = [&](int i) {
       return interval.at(i).isDouble() ? std::optional(interval.at(i).toDouble()) : std::nullopt;
     };
-    const double target = number(forecast, "target_error").value_or(0);
-    if (target > 0) times.push_back({target, number(forecast, "seconds"), bound(0), bound(1)});
+    const double target = number_in(forecast, "target_error").value_or(0);
+    if (target > 0) times.push_back({target, number_in(forecast, "seconds"), bound(0), bound(1)});
   }
   return times;
 }
 
 std::optional<VisibleNoiseReport> visible_noise(const QJsonObject& summary) {
   const QJsonObject noise = summary.value(QLatin1String("visible_difference")).toObject();
-  const auto percentile = number(noise, "percentile_95");
+  const auto percentile = number_in(noise, "percentile_95");
   if (!percentile) return std::nullopt;
-  return VisibleNoiseReport{*percentile, number(noise, "samples_needed").value_or(0)};
+  return VisibleNoiseReport{*percentile, number_in(noise, "samples_needed").value_or(0)};
 }
 
 std::optional<ShareInterval> share(const QJsonValue& value) {
   const QJsonObject object = value.toObject();
   const QJsonArray interval = object.value(QLatin1String("interval")).toArray();
-  const auto share = number(object, "share");
+  const auto share = number_in(object, "share");
   if (!share || interval.size() != 2) return std::nullopt;
   return ShareInterval{*share, interval.at(0).toDouble(), interval.at(1).toDouble()};
 }
@@ -52,10 +49,10 @@ class ReportText {
 
 std::optional<RenderReport> render_report_of(const QByteArray& line) {
   const QJsonObject object = QJsonDocument::fromJson(line).object();
-  const auto done = number(object, "done");
+  const auto done = number_in(object, "done");
   if (!done) return std::nullopt;
-  return RenderReport{*done, number(object, "seconds").value_or(0), number(object, "seconds_left"),
-                      number(object, "estimated_error"), forecasts(object)};
+  return RenderReport{*done, number_in(object, "seconds").value_or(0), number_in(object, "seconds_left"),
+                      number_in(object, "estimated_error"), forecasts(object)};
 }
 
 std::vector<ForecastTime> forecast_times_of(const QByteArray& line) {
@@ -64,22 +61,22 @@ std::vector<ForecastTime> forecast_times_of(const QByteArray& line) {
 
 std::optional<RenderSummary> render_summary_of(const QByteArray& line) {
   const QJsonObject object = QJsonDocument::fromJson(line).object();
-  const auto samples = number(object, "samples");
+  const auto samples = number_in(object, "samples");
   if (!samples || !object.contains(QLatin1String("output"))) return std::nullopt;
-  return RenderSummary{static_cast<int>(number(object, "width").value_or(0)),
-                       static_cast<int>(number(object, "height").value_or(0)),
+  return RenderSummary{static_cast<int>(number_in(object, "width").value_or(0)),
+                       static_cast<int>(number_in(object, "height").value_or(0)),
                        *samples,
-                       number(object, "render_seconds").value_or(0),
-                       number(object, "estimated_error"),
+                       number_in(object, "render_seconds").value_or(0),
+                       number_in(object, "estimated_error"),
                        visible_noise(object)};
 }
 
 std::optional<BakeSummary> bake_summary_of(const QByteArray& line) {
   const QJsonObject object = QJsonDocument::fromJson(line).object();
-  const auto vertices = number(object, "vertices");
+  const auto vertices = number_in(object, "vertices");
   if (!vertices) return std::nullopt;
-  return BakeSummary{*vertices, number(object, "samples").value_or(0),
-                     number(object, "render_seconds").value_or(0), number(object, "estimated_error")};
+  return BakeSummary{*vertices, number_in(object, "samples").value_or(0),
+                     number_in(object, "render_seconds").value_or(0), number_in(object, "estimated_error")};
 }
 
 std::optional<EffectShares> effect_shares_of(const QByteArray& line) {
@@ -88,7 +85,7 @@ std::optional<EffectShares> effect_shares_of(const QByteArray& line) {
   if (object.isEmpty()) return std::nullopt;
   return EffectShares{object.value(QLatin1String("name")).toString(),
                       share(object.value(QLatin1String("light"))), share(object.value(QLatin1String("time"))),
-                      number(object, "difference")};
+                      number_in(object, "difference")};
 }
 
 QString duration_text(double seconds) {

@@ -26,7 +26,7 @@ struct RenderReport {
   std::vector<ForecastTime> forecasts;    ///< of the whole render; empty while there are none
 };
 
-/// What is visible of an image's noise, see transport::VisibleNoise.
+/// The visible noise of an image is what the eye sees of it, see transport::VisibleNoise.
 struct VisibleNoiseReport {
   double percentile_95 = 0;   ///< of the differences, in units of CIEDE2000
   double samples_needed = 0;  ///< per pixel, until it is not seen
@@ -49,7 +49,8 @@ struct ShareInterval {
   double high = 0;
 };
 
-/// What an effect contributes and costs, by `bpt plan --measure`; see renderer/EFFECTS.md.
+/// An effect contributes a share of the light and costs a share of the time, as `bpt plan --measure` measures
+/// them; see renderer/EFFECTS.md.
 struct EffectShares {
   QString name;                        ///< as in renderer/EFFECTS.md
   std::optional<ShareInterval> light;  ///< none if the image is black

@@ -21,9 +21,11 @@ class RendererProcess : public QObject {
   Q_OBJECT
 
  public:
-  /// The window has priority over a process with the default niceness; see nice(2).
+  /// The window has priority over a process with this niceness; see nice(2).
+  static constexpr int DefaultNiceness = 5;
+
   explicit RendererProcess(QString program = bundled_program("bpt"), QObject* parent = nullptr,
-                           int niceness = 5);
+                           int niceness = DefaultNiceness);
   /// Why the program cannot be run; empty if it was found.
   QString why_missing() const;
   void start(const QStringList& arguments);

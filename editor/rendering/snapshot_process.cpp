@@ -2,21 +2,15 @@
 
 #include <utility>
 
-#include "editor/controls/text.h"
 #include "editor/document/op_files.h"
 #include "editor/rendering/render_files.h"
 
 namespace editor {
-namespace {
 
-constexpr int LowestPriority = 19;
-
-}  // namespace
-
-SnapshotProcess::SnapshotProcess(QString program, QObject* parent)
+SnapshotProcess::SnapshotProcess(QString program, QObject* parent, int niceness)
     : QObject(parent),
       folder_(std::make_shared<const QTemporaryDir>()),
-      process_(std::move(program), nullptr, LowestPriority) {
+      process_(std::move(program), nullptr, niceness) {
   connect(&process_, &RendererProcess::reported, this, &SnapshotProcess::reported);
   connect(&process_, &RendererProcess::ended, this, &SnapshotProcess::end);
 }
@@ -25,21 +19,25 @@ void SnapshotProcess::start(FinalRenderRequest request, const QString& command, 
   stop();
   if (const QString why = process_.why_missing(); !why.isEmpty()) return emit failed(why);
   is_running_ = true;
-  const QString base = folder_->filePath("snapshot");
+  const QString base = folder_->filePath("scene");
   request.options = with_absolute_paths(std::move(request.options), request.path);
   request.options.scene = (base + ".grf").toStdString();
   request.options.checkpoint.clear();
+  request.options.shows_window = false;
   writing_.start(
       [request = std::move(request), base, folder = folder_](const StopFlag&) {
-        grf::Diagnostics diagnostics;
-        const bool is_written = write_snapshot(request.scene, request.path, base + ".grf", diagnostics) &&
-                                write_op_file(request.options, base + ".op", diagnostics);
-        return is_written ? Files{base + ".op", {}} : Files{{}, text_of(diagnostics)};
+        return write_snapshot_files(request.scene, request.path, request.options, base);
       },
-      [this, command, flags](const Files& files) {
-        if (files.options.isEmpty()) return give_up(files.problem);
-        process_.start(QStringList{command, files.options} + flags);
+      [this, command, flags, base](const QString& problem) {
+        if (!problem.isEmpty()) return give_up(problem);
+        process_.start(QStringList{command, base + ".op"} + flags);
       });
+}
+
+void SnapshotProcess::interrupt() {
+  if (!writing_.is_busy()) return process_.interrupt();
+  stop();
+  emit finished();
 }
 
 void SnapshotProcess::stop() {

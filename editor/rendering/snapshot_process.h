@@ -10,17 +10,22 @@
 
 namespace editor {
 
-/// Runs `bpt` in the background on a snapshot of the scene, unsaved edits included. It has the lowest
-/// priority, so that a preview is not slowed down.
+/// Runs `bpt` in the background on a snapshot of the scene, unsaved edits included.
 class SnapshotProcess : public QObject {
   Q_OBJECT
 
  public:
-  explicit SnapshotProcess(QString program = bundled_program("bpt"), QObject* parent = nullptr);
+  /// With the lowest priority a preview is not slowed down; see nice(2).
+  static constexpr int LowestPriority = 19;
+
+  explicit SnapshotProcess(QString program = bundled_program("bpt"), QObject* parent = nullptr,
+                           int niceness = LowestPriority);
   ~SnapshotProcess() override { stop(); }
 
   /// Runs a command, such as `plan`, with the flags. It replaces the one that is running.
   void start(FinalRenderRequest request, const QString& command, const QStringList& flags);
+  /// Asks the program to stop and keep its results. `finished` or `failed` follows.
+  void interrupt();
   /// Kills the program. No signal follows.
   void stop();
   bool is_running() const { return is_running_; }
@@ -35,18 +40,12 @@ class SnapshotProcess : public QObject {
   void failed(const QString& why);
 
  private:
-  /// The input files of the program.
-  struct Files {
-    QString options;  ///< path of an OP file; empty if it could not be written
-    QString problem;
-  };
-
   void end(const RendererEnd& end);
   void give_up(const QString& why);
 
   const std::shared_ptr<const QTemporaryDir> folder_;  ///< writing may outlive this
   bool is_running_ = false;
-  BackgroundJob<Files> writing_{this};
+  BackgroundJob<QString> writing_{this};  ///< of the problem
   RendererProcess process_;
 };
 

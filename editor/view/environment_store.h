@@ -37,7 +37,7 @@ class EnvironmentStore : public QObject {
   void failed(const QString& message);
 
  private:
-  /// What was read, without rotation and brightness.
+  /// A loaded map is as its file has it, without rotation and brightness.
   struct Loaded {
     std::shared_ptr<const SceneEnvironment> environment;
     std::string problem;

@@ -10,8 +10,8 @@ namespace editor {
 /// The functions that object_environment.glsl needs, and it: for programs without a BRDF's text.
 QByteArray environment_text();
 
-/// What precedes the other texts of a program with view_environment.glsl, except for functions of BRDFs, with
-/// or without an environment map.
+/// Returns the preface of a program with view_environment.glsl, with or without an environment map: it
+/// precedes the other texts, except for functions of BRDFs.
 QByteArray view_environment_preface(bool has_map);
 
 /// The textures of an environment for object_environment.glsl. They are created, used and destroyed while

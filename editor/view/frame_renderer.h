@@ -133,7 +133,7 @@ constexpr GLuint GBufferUnit = 0;
 constexpr GLuint TablesUnit = 7;
 constexpr GLuint ImageUnit = 11;
 constexpr GLuint RenderedUnit = 12;
-/// Those of an environment map and its directions, and of a backplate.
+/// An environment map and its directions, and a backplate, have these texture units.
 constexpr GLuint EnvironmentUnit = 13;
 constexpr GLuint PlateUnit = 15;
 
