@@ -8,7 +8,7 @@
 
 namespace transport {
 
-/// What is added to the denominator of relMSE, so that the error of dark pixels is bounded.
+/// relMSE adds this constant to its denominator, so that the error of dark pixels is bounded.
 inline constexpr double RelmseFloor = 0.01;
 
 /// Error metrics; means are over pixels and channels, without the pixels that are not finite in both images.
