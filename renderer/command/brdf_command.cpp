@@ -50,7 +50,7 @@ void print_values(const std::vector<Rgb>& values, bool json) {
   if (json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Rgb& value : values) list.push_back(json_array(value));
-    fmt::print("{}\n", nlohmann::ordered_json{{"values", list}}.dump());
+    fmt::print("{}\n", json_text(nlohmann::ordered_json{{"values", list}}, true));
     return;
   }
   for (const Rgb& value : values) fmt::print("{} {} {}\n", value.x, value.y, value.z);
@@ -178,7 +178,7 @@ ExitCode list_brdfs(const BrdfArguments& arguments) {
   }
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const grf::ModelInfo& model : models) list.push_back(to_json(model));
-  fmt::print("{}\n", nlohmann::ordered_json{{"models", list}}.dump(2));
+  fmt::print("{}\n", json_text(nlohmann::ordered_json{{"models", list}}, false));
   return ExitCode::Done;
 }
 
@@ -200,7 +200,7 @@ ExitCode print_albedo(const BrdfArguments& arguments) {
   if (!u) return ExitCode::BadCommandLine;
   const Rgb value = reflectance::albedo(*reflector, *u);
   if (arguments.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"albedo", json_array(value)}}.dump());
+    fmt::print("{}\n", json_text(nlohmann::ordered_json{{"albedo", json_array(value)}}, true));
   } else {
     fmt::print("{} {} {}\n", value.x, value.y, value.z);
   }
@@ -225,10 +225,10 @@ ExitCode export_brdf(const BrdfArguments& arguments) {
   if (!written) return ExitCode::BadInput;
   const InterpolationError error = interpolation_error(*table, *reflector);
   if (arguments.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"file", arguments.output},
-                                              {"largest_interpolation_error", error.largest},
-                                              {"mean_interpolation_error", error.mean}}
-                           .dump());
+    const nlohmann::ordered_json result = {{"file", arguments.output},
+                                           {"largest_interpolation_error", error.largest},
+                                           {"mean_interpolation_error", error.mean}};
+    fmt::print("{}\n", json_text(result, true));
   } else {
     fmt::print("{}: the interpolation error is {:.2g} on average and {:.2g} at most, in 1/sr\n",
                arguments.output, error.mean, error.largest);
@@ -268,7 +268,7 @@ ExitCode plot_brdf(const BrdfArguments& arguments) {
   if (arguments.json) {
     nlohmann::ordered_json result = {{"file", arguments.output}};
     if (!summary.empty()) result["summary"] = summary;
-    fmt::print("{}\n", result.dump());
+    fmt::print("{}\n", json_text(result, true));
   } else {
     if (!summary.empty()) fmt::print("{}\n", summary);
     fmt::print("{}\n", arguments.output);

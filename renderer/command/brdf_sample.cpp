@@ -82,7 +82,7 @@ ExitCode sample_brdf(const BrdfArguments& arguments) {
     if (!write_fit(fit, arguments.fit)) return ExitCode::BadInput;
   }
   if (arguments.json) {
-    fmt::print("{}\n", to_json(*instance, u, drawn).dump());
+    fmt::print("{}\n", json_text(to_json(*instance, u, drawn), true));
   } else {
     print_text(*instance, u, drawn);
   }

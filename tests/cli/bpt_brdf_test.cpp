@@ -206,6 +206,14 @@ TEST_F(BptBrdf, ExportsATableThatIsReadAsMeasuredData) {
   EXPECT_NEAR(albedo(measured, u)[1], albedo(blinn, u)[1], 2e-3);
 }
 
+// Names of files are bytes, and JSON is text in UTF-8.
+TEST_F(BptBrdf, ReplacesBytesOfFileNamesThatAreNotUtf8) {
+  const std::string picture = folder_.path("a\xff.svg");
+  const std::string file = json({"plot", "diffuse kd=0.5", "-o", picture})["file"];
+  EXPECT_TRUE(file.ends_with("a\xef\xbf\xbd.svg")) << file;
+  EXPECT_TRUE(std::filesystem::exists(picture));
+}
+
 TEST_F(BptBrdf, RefusesToExportWhatTheFormatCannotHold) {
   const std::string table = folder_.path("a.binary");
   expect_failure({"export", "ward sx=0.1 sy=0.2", "-o", table}, 1, "it is anisotropic");
