@@ -1,7 +1,8 @@
 #include "renderer/transport/scene/texture_set.h"
 
-#include <algorithm>
 #include <optional>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,24 +19,41 @@ struct Read {
   grf::Diagnostics diagnostics;
 };
 
+/// Finds the files that were read before.
+class FilesBefore {
+ public:
+  explicit FilesBefore(std::span<const TextureFile> files) {
+    for (const TextureFile& file : files) by_path_.try_emplace(file.path, &file);
+  }
+
+  /// Returns the texture of a file that has not changed since it was read, or null.
+  std::shared_ptr<const Texture> texture_of(const TextureFile& file) const {
+    const auto known = by_path_.find(file.path);
+    return known != by_path_.end() && known->second->is_same_as(file) ? known->second->texture : nullptr;
+  }
+
+ private:
+  std::unordered_map<std::string_view, const TextureFile*> by_path_;
+};
+
+/// Reads a file. The diagnostics have the location without the line: their excerpts would read the scene once
+/// for each file, most of them for messages that are not kept.
 void read(const std::string& path, const grf::SourceLocation& asked_for_at, const ImageReader& read_image,
-          std::span<const TextureFile> before, Read& result) {
+          const FilesBefore& before, Read& result) {
   TextureFile& file = result.file;
+  const grf::SourceLocation without_line{asked_for_at.file, 0, 0};
   file.path = grf::canonical_path(path);
   std::error_code missing;  // which reading reports
   file.changed = std::filesystem::last_write_time(file.path, missing);
-  const auto known =
-      std::ranges::find_if(before, [&](const TextureFile& one) { return !missing && one.is_same_as(file); });
-  if (known != before.end()) {
-    file.texture = known->texture;
-  } else {
-    auto image = read_image(path, result.diagnostics, asked_for_at);
+  if (!missing) file.texture = before.texture_of(file);
+  if (!file.texture) {
+    auto image = read_image(path, result.diagnostics, without_line);
     if (!image) image = Image{1, 1, {reflectance::Rgb(1)}};
     file.texture = std::make_shared<const Texture>(std::move(*image));
   }
   const std::size_t wrong = file.texture->invalid_texels();
   if (wrong == 0) return;
-  result.diagnostics.warning(asked_for_at,
+  result.diagnostics.warning(without_line,
                              fmt::format("'{}': {} as 0", path,
                                          grf::counted(wrong, "texel is negative or not finite, and counts",
                                                       "texels are negative or not finite, and count")));
@@ -54,16 +72,18 @@ std::uint32_t TextureSetBuilder::index_of(const grf::Texture& texture) {
 
 std::vector<TextureFile> TextureSetBuilder::build(std::span<const TextureFile> before) {
   std::vector<Read> results(files_.size());
+  const FilesBefore known(before);
   parallel::for_each_index(files_.size(), [&](std::size_t i) {
-    read(files_[i].path, files_[i].asked_for_at, read_image_, before, results[i]);
+    read(files_[i].path, files_[i].asked_for_at, read_image_, known, results[i]);
   });
   std::vector<TextureFile> textures;
-  for (Read& result : results) {
-    for (const grf::Diagnostic& entry : result.diagnostics.entries()) {
-      if (entry.severity == grf::Severity::Error) diagnostics_.error(entry.location, entry.message);
-      if (entry.severity == grf::Severity::Warning) diagnostics_.warning(entry.location, entry.message);
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    const grf::SourceLocation& asked_for_at = files_[i].asked_for_at;
+    for (const grf::Diagnostic& entry : results[i].diagnostics.entries()) {
+      if (entry.severity == grf::Severity::Error) diagnostics_.error(asked_for_at, entry.message);
+      if (entry.severity == grf::Severity::Warning) diagnostics_.warning(asked_for_at, entry.message);
     }
-    textures.push_back(std::move(result.file));
+    textures.push_back(std::move(results[i].file));
   }
   return textures;
 }
