@@ -18,7 +18,7 @@ using transport::Image;
 /// The filter reaches 2 * (2^5 - 1) = 62 pixels.
 constexpr int Levels = 5;
 /// The cubic B-spline, as in the paper.
-constexpr std::array<float, 5> Spline = {1 / 16.0F, 1 / 4.0F, 3 / 8.0F, 1 / 4.0F, 1 / 16.0F};
+constexpr std::array<float, 3> Spline = {3 / 8.0F, 1 / 4.0F, 1 / 16.0F};  // by the distance from the centre
 // Edge-stopping widths: squares of sigma. The colour's is in variances of a pixel's mean; it shrinks by a
 // factor of 4 per level, as the paper halves sigma.
 constexpr float NormalWidth = 0.05F;
@@ -53,7 +53,7 @@ class Level {
         const float distance = guide_distance(centre, other, std::max(std::abs(i), std::abs(j))) +
                                colour_distance(centre, other, width);
         const float spline =
-            Spline[static_cast<std::size_t>(i + 2)] * Spline[static_cast<std::size_t>(j + 2)];
+            Spline[static_cast<std::size_t>(std::abs(i))] * Spline[static_cast<std::size_t>(std::abs(j))];
         const float weight = spline * std::exp(-distance);
         sum += weight * image_.pixels[other];
         weights += weight;

@@ -75,7 +75,8 @@ Vec3d add_sky(const MapGrid& grid, const Daylight& daylight, const Vec3d& to_sun
       const Vec3d direction = grid.direction(column + 0.5, row + 0.5);
       const double sun_angle = std::acos(std::clamp(direction.dot(to_sun), -1.0, 1.0));
       const Vec3d light = daylight.sky(grid.theta(row + 0.5), sun_angle);
-      xyz[static_cast<std::size_t>(row * grid.width + column)] = light;
+      xyz[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) +
+          static_cast<std::size_t>(column)] = light;
       irradiance += light * projected;
     }
   }
