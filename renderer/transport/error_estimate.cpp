@@ -52,10 +52,13 @@ constexpr double BinomialPart = 0.3;
 // Measured, as UncertainPart was.
 constexpr double UncertaintyPart = 0.25;        ///< of second-order errors, from the bias of the denominators
 constexpr double OutlierUncertaintyPart = 0.2;  ///< the same, of the outliers' errors
-constexpr double TailGrowth = 0.7;              ///< with the logarithm of the number of touched pixels
+constexpr double TailPart = 0.45;               ///< of touched pixels' errors, for the least touched ones
+constexpr double TailContrastPower = 0.3;       ///< growth of that with the squared contrast
+constexpr double TailPixelsPower = 0.2;         ///< and with the number of touched pixels
+constexpr double TailBoundPart = 0.6;           ///< of the bound of the least touched pixel's error
 constexpr double TailBound = 5000;              ///< of the squared relative error of the least touched pixel
 constexpr double UnseenPart = 0.5;              ///< of the error of pixels without hits, in most images
-constexpr double TouchedPart = 0.8;             ///< of the touched pixels' errors, which may be missing
+constexpr double TouchedPart = 0.65;            ///< of the touched pixels' errors, which may be missing
 
 /// Statistics of values around a pixel.
 struct Neighbours {
@@ -292,8 +295,10 @@ double contrast_of(const ErrorSums::Touched& touched) {
 
 Supplement errors_of(const ErrorSums::Touched& touched) {
   if (!(touched.errors > 0)) return {};
+  constexpr double FewPixels = 0.3;
+  const double pixels = std::max(FewPixels, touched.errors / PixelChannels);
   const double tail =
-      TailGrowth * std::log1p(std::min(contrast_of(touched), 4 * touched.errors / PixelChannels));
+      TailPart * std::pow(contrast_of(touched), TailContrastPower) * std::pow(pixels, TailPixelsPower);
   return spread_over(touched.errors * (1 + tail), touched.errors);
 }
 
@@ -303,7 +308,8 @@ double bound_of(const ErrorSums::Touched& touched) {
   const double unseen = std::max(0.0, touched.unseen);
   const double of_unseen = UnseenPart * (unseen + std::sqrt(unseen));
   if (!(touched.errors > 0)) return of_unseen;
-  return PixelChannels * touched.bounds / std::max<double>(PixelChannels, touched.errors) + of_unseen;
+  const double of_one = PixelChannels * touched.bounds / std::max<double>(PixelChannels, touched.errors);
+  return TailBoundPart * of_one + of_unseen;
 }
 
 /// The squared error of all outliers, and its bounds.

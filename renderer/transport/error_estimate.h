@@ -120,11 +120,12 @@ double squared_error_of(const PixelMoments& pixels, const Imath::V2i& pixel);
 ///
 /// Touched pixels. Let an edge cover a pixel so that h samples hit it in the mean, with all h equally likely.
 /// For pixels with one hit, h has the pdf h exp(-h), and the squared relative error (1 - h)^2 / h^2 has the
-/// tail probability 1 / (2 y): it has no mean but for the radiance of the dark side. The sum over M such
-/// pixels is about M times ln(M) plus a constant, and seldom above M times 20. If the squared ratio of the
-/// hit to the dark side is B, no error is above B. Along an edge that is parallel to the pixels' rows all h
-/// are equal, and if h is small the one pixel that is hit has the whole error: so the sum may be greater by B
-/// once, but no more than where a row of some 40 pixels has one hit. As many pixels are not hit.
+/// tail probability 1 / (2 y): it has no mean but for the radiance of the dark side. If the squared ratio of
+/// the hit to the dark side is B, no error is above B. So the sum over M such pixels grows faster than M, and
+/// with B; by how much depends on the shapes of edges, and was measured. Along an edge that is parallel to
+/// the pixels' rows all h are equal, and if h is small the one pixel that is hit has the whole error: so the
+/// sum may be greater by B once, but no more than where a row of some 40 pixels has one hit. As many pixels
+/// are not hit.
 ///
 /// Outliers. A value that stands out from all neighbours but one is a small bright object, or the end of a
 /// thin one, or a rare bright sample of a dark object. If such objects are hit h times in the mean, the
