@@ -5,6 +5,24 @@
 #include "renderer/transport/lights/light_tree_builder.h"
 
 namespace transport {
+namespace {
+
+/// The importance of a node's children.
+struct Importance {
+  alignas(32) std::array<float, LightBounds8::Size> values;
+  double total = 0;
+  int last = 0;  ///< the last child whose importance is not 0
+
+  Importance(const LightBounds8& bounds, const Vec3f& from, const Vec3f& normal) {
+    bounds.importance(from, normal).copy_to(values.data(), std::experimental::vector_aligned);
+    for (int i = 0; i < LightBounds8::Size; ++i) {
+      total += double(values[i]);
+      if (values[i] > 0) last = i;
+    }
+  }
+};
+
+}  // namespace
 
 LightTree::LightTree(std::span<const Emitter> emitters) {
   if (emitters.size() > 1) LightTreeBuilder(emitters, *this).build();
@@ -12,41 +30,46 @@ LightTree::LightTree(std::span<const Emitter> emitters) {
 
 std::optional<LightTree::Choice> LightTree::choose(std::span<const Emitter> emitters, const Vec3f& from,
                                                    const Vec3f& normal, double choice) const {
-  if (nodes_.empty()) return Choice{};
   double probability = 1;
-  std::uint32_t at = 0;
+  std::uint32_t at = nodes_.empty() ? IsEmitter : 0;
   while ((at & IsEmitter) == 0) {
     const Node& node = nodes_[at];
-    const double first = importance_of(node.children[0], emitters, from, normal);
-    const double both = first + importance_of(node.children[1], emitters, from, normal);
-    if (!(both > 0)) return std::nullopt;
-    const double share = first / both;
-    const bool is_second = choice >= share;
-    const double taken = is_second ? 1 - share : share;
-    if (!(taken > 0)) return std::nullopt;
-    choice = std::clamp((is_second ? choice - share : choice) / taken, 0.0, 1 - 0x1p-53);
-    probability *= taken;
-    at = node.children[is_second ? 1 : 0];
+    const Importance importance(node.bounds, from, normal);
+    if (!(importance.total > 0)) return std::nullopt;
+    double rest = choice * importance.total;
+    int child = importance.last;
+    for (int i = 0; i < importance.last; ++i) {
+      const double value = importance.values[i];
+      if (rest < value) {
+        child = i;
+        break;
+      }
+      rest -= value;
+    }
+    const double value = importance.values[child];
+    choice = std::clamp(rest / value, 0.0, 1 - 0x1p-53);
+    probability *= value / importance.total;
+    at = node.children[child];
   }
-  return Choice{at & ~IsEmitter, static_cast<float>(probability)};
+  const std::uint32_t emitter = at & ~IsEmitter;
+  if (!can_illuminate(emitters[emitter], from, normal)) return std::nullopt;
+  return Choice{emitter, static_cast<float>(probability)};
 }
 
 float LightTree::probability(std::span<const Emitter> emitters, const Vec3f& from, const Vec3f& normal,
                              std::uint32_t emitter) const {
+  if (!can_illuminate(emitters[emitter], from, normal)) return 0;
   if (nodes_.empty()) return 1;
   double probability = 1;
-  std::uint32_t child = emitter | IsEmitter;
-  std::uint32_t parent = parent_of_emitter_[emitter];
+  Place place = place_of_emitter_[emitter];
   for (;;) {
-    const Node& node = nodes_[parent];
-    const double first = importance_of(node.children[0], emitters, from, normal);
-    const double both = first + importance_of(node.children[1], emitters, from, normal);
-    const double share = first / both;
-    probability *= child == node.children[0] ? share : 1 - share;
-    if (!(probability > 0)) return 0;
-    if (parent == 0) return static_cast<float>(probability);
-    child = parent;
-    parent = node.parent;
+    const Node& node = nodes_[place.node];
+    const Importance importance(node.bounds, from, normal);
+    const double value = importance.values[place.child];
+    if (!(value > 0)) return 0;
+    probability *= value / importance.total;
+    if (place.node == 0) return static_cast<float>(probability);
+    place = node.parent;
   }
 }
 

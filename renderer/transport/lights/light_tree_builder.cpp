@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "renderer/parallel/loops.h"
+#include "renderer/transport/scene/ray_offset.h"
 
 namespace transport {
 namespace {
@@ -53,34 +54,34 @@ LightTreeBuilder::LightTreeBuilder(std::span<const Emitter> emitters, LightTree&
 }
 
 LightTreeBuilder::Item LightTreeBuilder::item_of(const Emitter& emitter, std::uint32_t index) {
-  Item item;
-  item.emitter = index;
-  item.power = emitter.power();
-  item.normal = emitter.doubled_area_normal().normalized();
-  item.box.extendBy(emitter.corner);
-  item.box.extendBy(emitter.corner + emitter.edge1);
-  item.box.extendBy(emitter.corner + emitter.edge2);
-  if (!emitter.is_triangle) item.box.extendBy(emitter.corner + emitter.edge1 + emitter.edge2);
-  return item;
+  const LightBounds bounds = bounds_of(emitter);
+  return {bounds.box, bounds.normals.axis, bounds.power, index};
 }
 
 void LightTreeBuilder::build() {
-  tree_.nodes_.resize(items_.size() - 1);
-  tree_.parent_of_emitter_.resize(items_.size());
-  build(items_, 0, 0);
+  clusters_.resize(2 * items_.size() - 1);
+  build(items_, 0);
+  tree_.place_of_emitter_.resize(items_.size());
+  join(0, {});
+  tree_.nodes_.shrink_to_fit();
 }
 
-// A tree of n emitters has n - 1 nodes, so each subtree knows its node indices and needs no synchronisation.
-LightTreeBuilder::Extent LightTreeBuilder::build(Items items, std::uint32_t node, std::uint32_t parent) {
+// A tree of n emitters has 2 n - 1 clusters, so each subtree knows its indices and needs no synchronisation.
+LightTreeBuilder::Extent LightTreeBuilder::build(Items items, std::uint32_t cluster) {
+  Cluster& here = clusters_[cluster];
+  here.count = static_cast<std::uint32_t>(items.size());
+  if (items.size() == 1) {
+    const Item& item = items[0];
+    here.emitter_or_second = item.emitter;
+    here.bounds = {item.box, {item.normal, 1}, item.power};
+    return {item.box, {item.normal, 1}, item.power, 1};
+  }
   const std::size_t middle = partition(items);
-  const Items first = items.subspan(0, middle);
-  const Items second = items.subspan(middle);
+  here.emitter_or_second = cluster + 2 * static_cast<std::uint32_t>(middle);
   Extent extent;
   Extent of_second;
-  const auto build_first = [&] { extent = build_child(first, node, 0, node + 1); };
-  const auto build_second = [&] {
-    of_second = build_child(second, node, 1, node + static_cast<std::uint32_t>(middle));
-  };
+  const auto build_first = [&] { extent = build(items.subspan(0, middle), cluster + 1); };
+  const auto build_second = [&] { of_second = build(items.subspan(middle), here.emitter_or_second); };
   if (items.size() > ParallelCount) {
     parallel::invoke(build_first, build_second);
   } else {
@@ -88,26 +89,51 @@ LightTreeBuilder::Extent LightTreeBuilder::build(Items items, std::uint32_t node
     build_second();
   }
   extent.extend_by(of_second);
-  LightBounds& bounds = tree_.nodes_[node].bounds;
-  bounds.centre = extent.box.center();
-  // Slightly enlarged, for rounding.
-  bounds.radius = (extent.box.max - bounds.centre).length() * (1 + 1e-6F);
-  bounds.normals = extent.normals;
-  bounds.power = static_cast<float>(extent.power);
-  tree_.nodes_[node].parent = parent;
+  here.bounds = {extent.box, extent.normals, static_cast<float>(extent.power)};
   return extent;
 }
 
-LightTreeBuilder::Extent LightTreeBuilder::build_child(Items items, std::uint32_t node, int which,
-                                                       std::uint32_t child) {
-  if (items.size() > 1) {
-    tree_.nodes_[node].children[which] = child;
-    return build(items, child, node);
+// Halves of clusters too large for one node come first, those of the most power before others: this takes the
+// fewest levels on average. What is left of the node takes whole clusters in, since small nodes waste memory.
+// The children stay in the order of the emitters, in which neighbours are close.
+std::vector<std::uint32_t> LightTreeBuilder::children_of(std::uint32_t cluster) const {
+  std::vector<std::uint32_t> children = {cluster};
+  for (;;) {
+    const std::size_t space = LightTree::Width - children.size();
+    auto best = children.end();
+    std::pair<bool, float> best_rank;
+    for (auto child = children.begin(); child != children.end(); ++child) {
+      const Cluster& candidate = clusters_[*child];
+      const bool is_large = candidate.count > LightTree::Width;
+      if (candidate.count == 1 || space == 0 || (!is_large && candidate.count > space + 1)) continue;
+      const std::pair<bool, float> rank{
+          is_large, is_large ? candidate.bounds.power : static_cast<float>(candidate.count)};
+      if (best != children.end() && rank <= best_rank) continue;
+      best = child;
+      best_rank = rank;
+    }
+    if (best == children.end()) return children;
+    const std::uint32_t first = *best + 1;
+    *best = clusters_[*best].emitter_or_second;
+    children.insert(best, first);
   }
-  const Item& item = items[0];
-  tree_.nodes_[node].children[which] = item.emitter | LightTree::IsEmitter;
-  tree_.parent_of_emitter_[item.emitter] = node;
-  return {item.box, {item.normal, 1}, item.power, 1};
+}
+
+void LightTreeBuilder::join(std::uint32_t cluster, LightTree::Place parent) {
+  const std::vector<std::uint32_t> children = children_of(cluster);
+  const auto index = static_cast<std::uint32_t>(tree_.nodes_.size());
+  tree_.nodes_.emplace_back().parent = parent;
+  if (index > 0) tree_.nodes_[parent.node].children[parent.child] = index;
+  for (std::uint32_t i = 0; i < children.size(); ++i) {
+    const Cluster& child = clusters_[children[i]];
+    tree_.nodes_[index].bounds.set(static_cast<int>(i), child.bounds);
+    if (child.count > 1) {
+      join(children[i], {index, i});
+    } else {
+      tree_.nodes_[index].children[i] = child.emitter_or_second | LightTree::IsEmitter;
+      tree_.place_of_emitter_[child.emitter_or_second] = {index, i};
+    }
+  }
 }
 
 LightTreeBuilder::Grid::Grid(Items items, int bucket_count) : count(bucket_count) {

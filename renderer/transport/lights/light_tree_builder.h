@@ -9,7 +9,9 @@
 namespace transport {
 
 /// Builds a light tree top-down: emitters are split where the surface area orientation heuristic is least
-/// (Conty Estevez and Kulla 2018, section 5.2), over a few buckets along each axis.
+/// (Conty Estevez and Kulla 2018, section 5.2), over a few buckets along each axis. The levels of this binary
+/// tree are then joined into nodes of eight children (Wald, Benthin and Boulos 2008, "Getting rid of
+/// packets").
 class LightTreeBuilder {
  public:
   LightTreeBuilder(std::span<const Emitter> emitters, LightTree& tree);
@@ -60,10 +62,20 @@ class LightTreeBuilder {
   static Cut best_cut(const Buckets& buckets, const Grid& grid);
   static std::size_t partition(Items items);
 
-  Extent build(Items items, std::uint32_t node, std::uint32_t parent);
-  Extent build_child(Items items, std::uint32_t node, int which, std::uint32_t child);
+  /// A node of the binary tree: a cluster of emitters.
+  struct Cluster {
+    LightBounds bounds;
+    std::uint32_t count = 0;  ///< of emitters
+    /// The emitter if it is alone, else the second of its halves, the first of which follows the cluster.
+    std::uint32_t emitter_or_second = 0;
+  };
+
+  Extent build(Items items, std::uint32_t cluster);
+  std::vector<std::uint32_t> children_of(std::uint32_t cluster) const;
+  void join(std::uint32_t cluster, LightTree::Place parent);
 
   LightTree& tree_;
+  std::vector<Cluster> clusters_;  ///< the root first
   std::vector<Item> items_;
 };
 

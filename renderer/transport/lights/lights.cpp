@@ -93,14 +93,10 @@ Lights::Lights(std::vector<Emitter> emitters) : emitters_(std::move(emitters)), 
 
 std::optional<LightSample> Lights::sample(const Vec3f& from, const Vec3f& normal, float choice,
                                           const Vec2f& xi) const {
-  LightTree::Choice chosen;
-  if (size() > 1) {
-    const auto found = tree_.choose(emitters_, from, normal, add_random_bits(choice, xi));
-    if (!found) return std::nullopt;
-    chosen = *found;
-  }
+  const auto found = tree_.choose(emitters_, from, normal, add_random_bits(choice, xi));
+  if (!found) return std::nullopt;
+  const LightTree::Choice& chosen = *found;
   const Emitter& emitter = emitters_[chosen.emitter];
-  if (!can_illuminate(emitter, from, normal)) return std::nullopt;
   if (is_far(emitter, from)) {
     const Vec2f place = sample_area(emitter, xi);
     const Vec3f to_light = emitter.corner - from + emitter.edge1 * place.x + emitter.edge2 * place.y;
@@ -122,11 +118,8 @@ std::optional<LightSample> Lights::sample(const Vec3f& from, const Vec3f& normal
 
 float Lights::pdf(const Vec3f& from, const Vec3f& normal, std::size_t emitter, const Vec3f& direction) const {
   const Emitter& seen = emitters_[emitter];
-  if (!can_illuminate(seen, from, normal)) return 0;
-  float probability = 1;
-  if (size() > 1) {
-    probability = tree_.probability(emitters_, from, normal, static_cast<std::uint32_t>(emitter));
-  }
+  const float probability = tree_.probability(emitters_, from, normal, static_cast<std::uint32_t>(emitter));
+  if (!(probability > 0)) return 0;
   if (is_far(seen, from)) {
     // The distance along the direction to the emitter's plane.
     const Vec3f area = seen.doubled_area_normal();
