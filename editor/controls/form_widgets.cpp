@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QEvent>
+#include <QGridLayout>
 #include <QMimeData>
 #include <QToolButton>
 #include <QUrl>

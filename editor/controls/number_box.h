@@ -49,7 +49,7 @@ class NumberBox : public QAbstractSpinBox {
   void set_mixed() { set_blank(tr("mixed")); }
   bool has_value() const { return value_.has_value(); }
   /// Sets the value, without a signal.
-  void set_value(double value);
+  void set_value(double number);
   double value() const { return value_.value_or(0) * factor_; }
   /// Sets a number as text, such as `1e3`, which is kept until it is edited; empty for none. Invalid text is
   /// shown, too. Without a signal.

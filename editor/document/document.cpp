@@ -35,7 +35,7 @@ QByteArray packed(const FaceSelection& selection) {
   }
   // The lowest level is fast, and sufficient for runs of selected or unselected faces.
   QByteArray bytes = qCompress(reinterpret_cast<const uchar*>(words.data()),
-                               static_cast<qsizetype>(words.size() * sizeof(FaceWord)), 1);
+                               static_cast<qsizetype>(words.size()) * qsizetype(sizeof(FaceWord)), 1);
   bytes.squeeze();
   return bytes;
 }

@@ -50,7 +50,7 @@ class FaceSetReader {
   FaceSelection read(const QJsonValue& value) {
     FaceSelection selection(objects_);
     if (!value.isArray()) fits_ = fits_ && value.isUndefined();
-    for (const QJsonValue& mesh : value.toArray()) fits_ = read_mesh(mesh, selection) && fits_;
+    for (const auto& mesh : value.toArray()) fits_ = read_mesh(mesh, selection) && fits_;
     return selection;
   }
 
@@ -58,7 +58,7 @@ class FaceSetReader {
   /// The mesh that an entry describes, if the scene has it with this name and number of faces.
   std::optional<std::uint32_t> mesh_of(const QJsonValue& entry) const {
     grf::ScenePath path;
-    for (const QJsonValue& index : entry["path"].toArray()) {
+    for (const auto& index : entry["path"].toArray()) {
       path.push_back(static_cast<std::uint32_t>(index.toInteger(-1)));
     }
     const auto mesh = objects_.mesh_at(path);

@@ -88,8 +88,8 @@ bool is_copied(const ImportFolder& folder, const std::string& from,
 }
 
 bool is_image(const QString& file) {
-  static const QStringList Extensions = {"exr", "hdr", "pfm", "raw", "png", "jpg", "jpeg", "bmp", "tga"};
-  return Extensions.contains(QFileInfo(file).suffix().toLower());
+  static const QStringList extensions = {"exr", "hdr", "pfm", "raw", "png", "jpg", "jpeg", "bmp", "tga"};
+  return extensions.contains(QFileInfo(file).suffix().toLower());
 }
 
 }  // namespace editor

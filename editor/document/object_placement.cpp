@@ -251,9 +251,9 @@ grf::ScenePath own_transform(const grf::Scene& scene, grf::ScenePathView path) {
 std::vector<grf::ScenePath> moved_blocks(const grf::Scene& scene, const std::vector<grf::ScenePath>& paths) {
   std::vector<grf::ScenePath> moved;
   for (const grf::ScenePath& path : paths) {
-    grf::ScenePath block = moved_block(scene, path);
+    const grf::ScenePath block = moved_block(scene, path);
     const grf::ScenePath transform = own_transform(scene, block);
-    moved.push_back(transform.empty() ? std::move(block) : transform);
+    moved.push_back(transform.empty() ? block : transform);
   }
   std::ranges::sort(moved);
   std::vector<grf::ScenePath> outermost;

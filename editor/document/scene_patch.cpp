@@ -71,7 +71,7 @@ std::variant<SurfacesPart, MeshPart> mesh_part(grf::ScenePath path, const grf::M
   const bool have_same_shape = before.name == after.name && before.comments == after.comments &&
                                before.geometry == after.geometry && before.irradiance == after.irradiance;
   if (!have_same_shape) return MeshPart{std::move(path), before, after};
-  auto part = list_part<SurfacesPart>(std::move(path), before.surfaces, after.surfaces);
+  auto part = list_part<SurfacesPart>(path, before.surfaces, after.surfaces);
   if (before.surface_of_face.shares(after.surface_of_face)) return part;
   for (std::uint32_t face = 0; face < before.face_count(); ++face) {
     const std::uint32_t from = (*before.surface_of_face)[face];

@@ -174,7 +174,10 @@ std::optional<float> exact_sum(float number, double offset) {
 
 void translate(Tail& tail, const Vec3d& offset) {
   if (offset == Vec3d(0)) return;
-  if (tail.translations.empty()) return tail.translations.push_back(Vec3f(offset));
+  if (tail.translations.empty()) {
+    tail.translations.emplace_back(offset);
+    return;
+  }
   Vec3f& last = tail.translations.back();
   Vec3f sum;
   bool is_exact = true;
@@ -186,7 +189,7 @@ void translate(Tail& tail, const Vec3d& offset) {
   if (is_exact || tail.translations.size() == 2) {
     last = sum;
   } else {
-    tail.translations.push_back(Vec3f(offset));
+    tail.translations.emplace_back(offset);
   }
 }
 

@@ -194,7 +194,7 @@ void CameraPanel::add(const View& view) {
 QString CameraPanel::free_name() const {
   const auto& cameras = document_.options().valid_options().cameras;
   for (int number = 1;; ++number) {
-    const QString name = tr("camera %1").arg(number);
+    QString name = tr("camera %1").arg(number);
     if (is_free_name(cameras, name.toStdString())) return name;
   }
 }

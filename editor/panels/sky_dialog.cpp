@@ -47,7 +47,10 @@ class OneStop : public Edit {
   using Edit::Edit;
 
  protected:
-  bool focusNextPrevChild(bool is_next) override { return QWidget::focusNextPrevChild(is_next); }
+  bool focusNextPrevChild(bool is_next) override {
+    return QWidget::focusNextPrevChild(
+        is_next);  // NOLINT(bugprone-parent-virtual-call): not through its parts
+  }
 };
 
 }  // namespace

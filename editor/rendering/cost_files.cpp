@@ -40,7 +40,7 @@ QString save_study(const QString& study, const std::string& bytes, const QString
   const auto image = grf::read_file(
       QFileInfo(study).dir().filePath(reference["image"].toString()).toStdString(), diagnostics);
   if (!image) return text_of(diagnostics);
-  if (const QString problem = write(*image, copy); !problem.isEmpty()) return problem;
+  if (QString problem = write(*image, copy); !problem.isEmpty()) return problem;
   reference["image"] = QFileInfo(copy).fileName();
   object["reference"] = reference;
   return write(QJsonDocument(object).toJson().toStdString(), path);

@@ -320,7 +320,7 @@ void CostPage::enable_buttons() {
   const bool is_running = run_.is_running();
   progress_->setVisible(is_running);
   const QString busy = is_running ? tr("A study is running.") : QString();
-  const QString none = has_points(study_) ? busy : tr("There is no study.");
+  QString none = has_points(study_) ? busy : tr("There is no study.");
   enable(start_, tr("Measure all curves afresh"), busy);
   enable(continue_, tr("Measure what the shown study lacks"),
          is_running || !file_.isEmpty() ? busy : tr("There is no study."));

@@ -21,7 +21,7 @@ CostCurve curve_of(const QJsonObject& fit) {
   curve.factor = number_in(fit, "factor_over_samples");
   curve.exponent = number_in(fit, "exponent_over_samples");
   curve.grf = fit["grf"].toString();
-  for (const QJsonValue& line : fit["op"].toArray()) curve.op << line.toString();
+  for (const auto& line : fit["op"].toArray()) curve.op << line.toString();
   const QJsonObject efficiency = fit["efficiency"].toObject();
   if (!efficiency.isEmpty()) {
     curve.efficiency = EfficiencyInterval{efficiency["value"].toDouble(), efficiency["low"].toDouble(),
@@ -41,8 +41,8 @@ std::optional<CostStudy> cost_study_of(const QByteArray& json) {
   const QJsonObject object = QJsonDocument::fromJson(json).object();
   if (!object["rows"].isArray() || !object["fits"].isArray()) return std::nullopt;
   CostStudy study;
-  for (const QJsonValue& fit : object["fits"].toArray()) study.curves.push_back(curve_of(fit.toObject()));
-  for (const QJsonValue& value : object["rows"].toArray()) {
+  for (const auto& fit : object["fits"].toArray()) study.curves.push_back(curve_of(fit.toObject()));
+  for (const auto& value : object["rows"].toArray()) {
     const QJsonObject row = value.toObject();
     for (CostCurve& curve : study.curves) {
       if (curve.name != row["line"].toString()) continue;

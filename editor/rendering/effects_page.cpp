@@ -36,10 +36,10 @@ constexpr double Clipped = 0.01;
 QString share_text(const std::optional<ShareInterval>& share) {
   if (!share) return EffectsPage::tr("unknown");
   const auto number = [](double fraction) {
-    const QString text = QString::number(100 * fraction, 'f', 1);
+    QString text = QString::number(100 * fraction, 'f', 1);
     return text == QLatin1String("-0.0") ? QStringLiteral("0.0") : text;
   };
-  const QString value = EffectsPage::tr("%1 %").arg(number(share->share));
+  QString value = EffectsPage::tr("%1 %").arg(number(share->share));
   if (number(share->low) == number(share->high)) return value;
   return value + "\n" + EffectsPage::tr("%1 to %2 %").arg(number(share->low), number(share->high));
 }

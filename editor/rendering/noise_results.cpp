@@ -31,7 +31,7 @@ NoiseShareRow::Kind brdf_kind(const QJsonObject& brdf) {
 template <class KindOf>
 std::vector<NoiseShareRow> rows(const QJsonObject& object, const char* list, const KindOf& kind_of) {
   std::vector<NoiseShareRow> result;
-  for (const QJsonValue& entry : object.value(QLatin1String(list)).toArray()) {
+  for (const auto& entry : object.value(QLatin1String(list)).toArray()) {
     const QJsonObject part = entry.toObject();
     const bool is_lamp = part.contains(QLatin1String("number"));
     result.push_back({kind_of(part), text(part, "name"), value(part, "noise"), value(part, "light"),
@@ -75,7 +75,7 @@ std::optional<NoiseResult> noise_result_of(const QByteArray& line) {
                      rows(object, "bounces", bounce_kind),
                      rows(object, "brdfs", brdf_kind),
                      {}};
-  for (const QJsonValue& change : object.value(QLatin1String("changes")).toArray()) {
+  for (const auto& change : object.value(QLatin1String("changes")).toArray()) {
     result.changes.push_back(trial(change.toObject()));
   }
   return result;

@@ -37,7 +37,6 @@
 
 namespace editor {
 
-using job::PreviewState;
 using options::RenderOptions;
 
 namespace {

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<ForecastTime> forecasts(const QJsonObject& object) {
   std::vector<ForecastTime> times;
-  for (const QJsonValue& value : object.value(QLatin1String("forecasts")).toArray()) {
+  for (const auto& value : object.value(QLatin1String("forecasts")).toArray()) {
     const QJsonObject forecast = value.toObject();
     const QJsonArray interval = forecast.value(QLatin1String("seconds_interval")).toArray();
     const auto bound = [&](int i) {

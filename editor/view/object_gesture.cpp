@@ -435,7 +435,7 @@ std::string ObjectGesture::text() const {
 }
 
 std::optional<TransformAction> ObjectGesture::end() {
-  const auto made = action();
+  auto made = action();
   cancel();
   return made;
 }

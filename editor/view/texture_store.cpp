@@ -3,7 +3,6 @@
 #include <QFileInfo>
 #include <QtConcurrent>
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 namespace editor {
@@ -22,7 +21,8 @@ void TextureStore::set_paths(const std::vector<std::string>& paths) {
       start_reading(path);
     }
   }
-  if (std::ranges::equal(old | std::views::keys, entries_ | std::views::keys)) return;
+  const auto has_same_path = [](const auto& a, const auto& b) { return a.first == b.first; };
+  if (std::ranges::equal(old, entries_, has_same_path)) return;
   QStringList files;
   for (const auto& [path, entry] : entries_) files.append(QString::fromStdString(path));
   watch_.follow(files);

@@ -39,7 +39,7 @@ QWidget* row_of(QWidget* first, QWidget* second) {
 }
 
 QString size_text(const SceneObjects& objects) {
-  const QString faces = counted(objects.faces, ImportDialog::tr("1 face"), ImportDialog::tr("%1 faces"));
+  QString faces = counted(objects.faces, ImportDialog::tr("1 face"), ImportDialog::tr("%1 faces"));
   if (objects.mesh_bounds.isEmpty()) return faces;
   const grf::Vec3d size = objects.mesh_bounds.size();
   const auto metres = [](double length) { return QString::number(length, 'g', 4); };

@@ -55,7 +55,7 @@ class ObjectActions : public QObject {
   void make_gestures();
   void make_options();
   void make_placements();
-  QAction* add_placement(const QString& text, const QKeySequence& keys, const QString& tip, const Edit& edit);
+  QAction* add_placement(const QString& text, const QKeySequence& keys, const QString& tip, const Edit& made);
   void make_structure();
   void make_moves();
   void make_alignments();

@@ -23,7 +23,6 @@ namespace {
 using grf::Diagnostics;
 using grf::ExitCode;
 using options::RenderOptions;
-using transport::ForecastValue;
 using transport::Render;
 using transport::RenderSettings;
 using transport::TargetForecast;

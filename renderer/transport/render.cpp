@@ -27,7 +27,8 @@ std::vector<bool> tiles_of_probe(const Film& film, int count) {
   for (int i = 0, left = count; left > 0; ++i) {
     const int x = place(i, 1 / Plastic, film.tiles_across());
     const int y = place(i, 1 / (Plastic * Plastic), film.tiles_down());
-    const auto tile = static_cast<std::size_t>(y * film.tiles_across() + x);
+    const auto tile = static_cast<std::size_t>(y) * static_cast<std::size_t>(film.tiles_across()) +
+                      static_cast<std::size_t>(x);
     if (!chosen[tile]) --left;
     chosen[tile] = true;
   }

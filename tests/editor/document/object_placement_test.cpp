@@ -16,7 +16,6 @@ namespace {
 using StepKind = grf::TransformStep::Kind;
 using grf::Vec3d;
 using testing::HasSubstr;
-using testing::Not;
 
 /// A mesh of one triangle.
 std::string triangle(const std::string& name, const std::string& vertices) {
@@ -61,7 +60,7 @@ class ObjectPlacement : public testing::Test {
     const MeshInstance& placed = now.instances->at(instance);
     return Vec3d(now.meshes[placed.mesh].mesh->geometry->positions[0]) * placed.to_world;
   }
-  void apply(std::vector<grf::ScenePath> paths, const TransformAction& action) {
+  void apply(const std::vector<grf::ScenePath>& paths, const TransformAction& action) {
     auto result = transform_objects(scene_, paths, action, diagnostics_);
     ASSERT_TRUE(result) << diagnostics_.to_text();
     scene_ = std::move(result->scene);

@@ -48,8 +48,9 @@ grf::Matrix44d turned_about(const grf::Vec3d& axis, double degrees, const grf::V
 }
 
 TEST(TransformSteps, TranslateByATenthTenTimesAndBack) {
-  for (TransformSteps start : {TransformSteps(), authored_steps(),
-                               TransformSteps{{StepKind::Translation, {0.12345679F, 1234.5678F, -1e-7F}}}}) {
+  for (const TransformSteps& start :
+       {TransformSteps(), authored_steps(),
+        TransformSteps{{StepKind::Translation, {0.12345679F, 1234.5678F, -1e-7F}}}}) {
     TransformSteps steps = start;
     for (int i = 0; i < 10; ++i) translate(steps, {0.1, -0.1, 0.1});
     const grf::Vec3d moved = grf::matrix_of(steps).translation() - grf::matrix_of(start).translation();

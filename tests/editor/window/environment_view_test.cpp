@@ -102,7 +102,8 @@ TEST_F(EnvironmentInWindow, LightsTheSphereOfTheBrdfDock) {
   /// The channels of a point at the sphere's left rim.
   const auto at_the_left = [&] {
     const SphereImage image = shown();
-    return image.radiance[static_cast<std::size_t>(image.side / 2 * image.side + image.side / 10)];
+    return image.radiance[static_cast<std::size_t>(image.side / 2) * static_cast<std::size_t>(image.side) +
+                          static_cast<std::size_t>(image.side / 10)];
   };
   const reflectance::Rgb in_studio = at_the_left();
   EXPECT_GT(in_studio.z, 0.05F);

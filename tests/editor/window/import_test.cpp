@@ -12,9 +12,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "editor/controls/notice_bar.h"
 #include "editor/window/export_dialog.h"
 #include "editor/window/import_dialog.h"
 #include "tests/editor/window/authoring.h"
+#include "tests/support/paths.h"
 
 namespace editor {
 namespace {

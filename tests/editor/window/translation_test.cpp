@@ -16,8 +16,6 @@
 namespace editor {
 namespace {
 
-using testing::ElementsAre;
-
 /// The Spanish translation while it lives.
 class SpanishTexts {
  protected:
