@@ -187,7 +187,7 @@ void Diagnostics::add(Severity severity, SourceLocation location, std::string_vi
   if (is_known) return;
   if (severity == Severity::Error) ++kept_errors_;
   if (severity == Severity::Warning) ++kept_warnings_;
-  set_excerpt(entry);
+  if (takes_excerpts_) set_excerpt(entry);
   entries_.push_back(std::move(entry));
 }
 

@@ -29,6 +29,15 @@ class Diagnostics {
   /// The number of warnings kept: a generated file repeats its mistakes.
   static constexpr std::size_t MaximumWarnings = 100;
 
+  Diagnostics() = default;
+  /// Returns a list whose entries another one is to repeat: they have no excerpts, which are searched for in
+  /// the whole source each time.
+  static Diagnostics to_be_repeated() {
+    Diagnostics diagnostics;
+    diagnostics.takes_excerpts_ = false;
+    return diagnostics;
+  }
+
   // Duplicates (the same message at the same location, as in a file that is included twice) are kept once.
 
   void error(SourceLocation location, std::string_view message);
@@ -67,6 +76,7 @@ class Diagnostics {
   std::size_t warning_count_ = 0;
   std::size_t kept_errors_ = 0;
   std::size_t kept_warnings_ = 0;
+  bool takes_excerpts_ = true;
 };
 
 /// Formats one diagnostic as `Diagnostics::to_text` does.

@@ -287,7 +287,7 @@ void MtlReader::add_loss(Loss loss) {
 
 std::vector<MtlMaterial> read_mtl(const std::string& path, const grf::SourceLocation& asked_for_at,
                                   grf::Diagnostics& diagnostics) {
-  grf::Diagnostics problems;
+  auto problems = grf::Diagnostics::to_be_repeated();
   const auto source = read_source_text(path, "a material library", problems, asked_for_at);
   for (const grf::Diagnostic& problem : problems.entries()) {
     diagnostics.warning(problem.location, problem.message);

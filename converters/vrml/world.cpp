@@ -182,7 +182,7 @@ const OpenDocument* World::inlined_document(const Node& node, const std::vector<
   const std::string path = grf::path_beside(path_, *name);
   const auto known = documents_.find(grf::canonical_path(path));
   if (known != documents_.end()) return &known->second;
-  grf::Diagnostics problems;
+  auto problems = grf::Diagnostics::to_be_repeated();
   const auto bytes = grf::read_file(path, problems, node.location());
   if (!bytes) {
     report_.diagnostics().warning(node.location(), problems.entries().front().message + ": left out");

@@ -16,7 +16,7 @@ namespace {
 
 struct Read {
   TextureFile file;
-  grf::Diagnostics diagnostics;
+  grf::Diagnostics diagnostics = grf::Diagnostics::to_be_repeated();
 };
 
 /// Finds the files that were read before.
@@ -36,24 +36,21 @@ class FilesBefore {
   std::unordered_map<std::string_view, const TextureFile*> by_path_;
 };
 
-/// Reads a file. The diagnostics have the location without the line: their excerpts would read the scene once
-/// for each file, most of them for messages that are not kept.
 void read(const std::string& path, const grf::SourceLocation& asked_for_at, const ImageReader& read_image,
           const FilesBefore& before, Read& result) {
   TextureFile& file = result.file;
-  const grf::SourceLocation without_line{asked_for_at.file, 0, 0};
   file.path = grf::canonical_path(path);
   std::error_code missing;  // which reading reports
   file.changed = std::filesystem::last_write_time(file.path, missing);
   if (!missing) file.texture = before.texture_of(file);
   if (!file.texture) {
-    auto image = read_image(path, result.diagnostics, without_line);
+    auto image = read_image(path, result.diagnostics, asked_for_at);
     if (!image) image = Image{1, 1, {reflectance::Rgb(1)}};
     file.texture = std::make_shared<const Texture>(std::move(*image));
   }
   const std::size_t wrong = file.texture->invalid_texels();
   if (wrong == 0) return;
-  result.diagnostics.warning(without_line,
+  result.diagnostics.warning(asked_for_at,
                              fmt::format("'{}': {} as 0", path,
                                          grf::counted(wrong, "texel is negative or not finite, and counts",
                                                       "texels are negative or not finite, and count")));
@@ -77,13 +74,12 @@ std::vector<TextureFile> TextureSetBuilder::build(std::span<const TextureFile> b
     read(files_[i].path, files_[i].asked_for_at, read_image_, known, results[i]);
   });
   std::vector<TextureFile> textures;
-  for (std::size_t i = 0; i < files_.size(); ++i) {
-    const grf::SourceLocation& asked_for_at = files_[i].asked_for_at;
-    for (const grf::Diagnostic& entry : results[i].diagnostics.entries()) {
-      if (entry.severity == grf::Severity::Error) diagnostics_.error(asked_for_at, entry.message);
-      if (entry.severity == grf::Severity::Warning) diagnostics_.warning(asked_for_at, entry.message);
+  for (Read& result : results) {
+    for (const grf::Diagnostic& entry : result.diagnostics.entries()) {
+      if (entry.severity == grf::Severity::Error) diagnostics_.error(entry.location, entry.message);
+      if (entry.severity == grf::Severity::Warning) diagnostics_.warning(entry.location, entry.message);
     }
-    textures.push_back(std::move(results[i].file));
+    textures.push_back(std::move(result.file));
   }
   return textures;
 }
