@@ -48,8 +48,8 @@ class OneStop : public Edit {
 
  protected:
   bool focusNextPrevChild(bool is_next) override {
-    return QWidget::focusNextPrevChild(
-        is_next);  // NOLINT(bugprone-parent-virtual-call): not through its parts
+    // NOLINTNEXTLINE(bugprone-parent-virtual-call): the edit's own one goes through its parts.
+    return QWidget::focusNextPrevChild(is_next);
   }
 };
 

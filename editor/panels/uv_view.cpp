@@ -185,12 +185,11 @@ void UvView::draw_image(QPainter& painter) {
   const QSize device_size = (tile * devicePixelRatioF()).toSize().expandedTo({1, 1});
   // Enlarged images have few tiles in the view, and would need much memory.
   const bool is_enlarged = std::max(device_size.width(), device_size.height()) > LargestTexture;
-  const int columns = std::max(0, static_cast<int>(std::ceil(seen.right()) - std::floor(seen.left())));
-  const int rows = std::max(0, static_cast<int>(std::ceil(seen.bottom()) - std::floor(seen.top())));
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const double u = std::floor(seen.left()) + column;
-      const double v = std::floor(seen.top()) + row;
+  const QPointF first(std::floor(seen.left()), std::floor(seen.top()));
+  for (int row = 0; first.y() + row < seen.bottom(); ++row) {
+    for (int column = 0; first.x() + column < seen.right(); ++column) {
+      const double u = first.x() + column;
+      const double v = first.y() + row;
       painter.setOpacity(u == 0 && v == 0 ? 1 : FaintOpacity);
       const QRectF place = to_pixels_.mapRect(QRectF(u, v, 1, 1));
       if (is_enlarged) {

@@ -55,6 +55,7 @@ constexpr double OutlierUncertaintyPart = 0.2;  ///< the same, of the outliers' 
 constexpr double TailPart = 0.45;               ///< of touched pixels' errors, for the least touched ones
 constexpr double TailContrastPower = 0.3;       ///< growth of that with the squared contrast
 constexpr double TailPixelsPower = 0.2;         ///< and with the number of touched pixels
+constexpr double FewTouchedPixels = 0.3;        ///< below which that number counts as this
 constexpr double TailBoundPart = 0.6;           ///< of the bound of the least touched pixel's error
 constexpr double TailBound = 5000;              ///< of the squared relative error of the least touched pixel
 constexpr double UnseenPart = 0.5;              ///< of the error of pixels without hits, in most images
@@ -295,8 +296,7 @@ double contrast_of(const ErrorSums::Touched& touched) {
 
 Supplement errors_of(const ErrorSums::Touched& touched) {
   if (!(touched.errors > 0)) return {};
-  constexpr double FewPixels = 0.3;
-  const double pixels = std::max(FewPixels, touched.errors / PixelChannels);
+  const double pixels = std::max(FewTouchedPixels, touched.errors / PixelChannels);
   const double tail =
       TailPart * std::pow(contrast_of(touched), TailContrastPower) * std::pow(pixels, TailPixelsPower);
   return spread_over(touched.errors * (1 + tail), touched.errors);
