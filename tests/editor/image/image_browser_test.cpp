@@ -22,6 +22,7 @@
 #include "editor/controls/number_box.h"
 #include "editor/image/screen_controls.h"
 #include "renderer/transport/image/image_file.h"
+#include "tests/editor/pointer.h"
 #include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
 
@@ -137,7 +138,7 @@ TEST_F(Browser, OpensWhatIsDropped) {
 TEST_F(Browser, TellsPixelsUnderThePointer) {
   browser_.show_image("ramp", shared(ramp(64, 32, 0.5F)));
   const QPoint place = browser_.pane().place_of({16, 8}).toPoint();
-  QTest::mouseMove(&browser_.pane(), place);
+  test::move_pointer(browser_.pane(), place);
   ASSERT_TRUE(QTest::qWaitFor([this] { return text("Values of the pixel").contains("x 16"); }));
   EXPECT_TRUE(text("Values of the pixel").startsWith("x 16  y 8   R 0.25  G 0.25  B 0.5"))
       << text("Values of the pixel").toStdString();
@@ -269,9 +270,7 @@ class LayersOfImages : public Browser {
   }
   QString text_at(const QPoint& pixel) {
     const QPointF place = browser_.pane().place_of(pixel);
-    // Not QTest::mouseMove, which sends nothing if the pointer is there already.
-    QMouseEvent move(QEvent::MouseMove, place, browser_.pane().mapToGlobal(place), Qt::NoButton, {}, {});
-    QApplication::sendEvent(&browser_.pane(), &move);
+    test::move_pointer(browser_.pane(), place);
     const QString start = QString("x %1  y %2   ").arg(pixel.x()).arg(pixel.y());
     EXPECT_TRUE(text("Values of the pixel").startsWith(start));
     return text("Values of the pixel").mid(start.size());

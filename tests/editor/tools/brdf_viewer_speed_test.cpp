@@ -1,6 +1,5 @@
 #include <QApplication>
 #include <QElapsedTimer>
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
 #include <QProcess>
@@ -20,6 +19,7 @@
 #include "editor/tools/brdf_viewer_window.h"
 #include "grf/read.h"
 #include "renderer/studies/brdf_viewer/tool.h"
+#include "tests/editor/pointer.h"
 #include "tests/support/paths.h"
 
 namespace editor {
@@ -118,10 +118,7 @@ TEST(BrdfViewerWindow, IsNeverBlocked) {
   QObject::connect(&window.view(), &BrdfView::drawn,
                    [&] { drafts += window.view().image().passes == 0 ? 1 : 0; });
   for (int i = 1; i <= 60; ++i) {
-    // QTest's own moves have no buttons.
-    const QPointF at = middle + QPoint(3 * i, i);
-    QMouseEvent move(QEvent::MouseMove, at, window.view().mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
-    QApplication::sendEvent(&window.view(), &move);
+    test::move_pointer(window.view(), middle + QPoint(3 * i, i), Qt::LeftButton);
     QTest::qWait(10);
   }
   beat.stop();

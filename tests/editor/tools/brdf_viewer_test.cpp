@@ -1,6 +1,5 @@
 #include <QApplication>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
 #include <QPlainTextEdit>
@@ -23,6 +22,7 @@
 #include "editor/tools/study_form.h"
 #include "renderer/reflectance/presets.h"
 #include "renderer/studies/brdf_viewer/tool.h"
+#include "tests/editor/pointer.h"
 #include "tests/editor/scene_of.h"
 #include "tests/support/paths.h"
 
@@ -57,8 +57,7 @@ class ShownViewer {
   /// The light of a pixel, by the GPU and by the CPU.
   PixelProbe probe(const QPoint& at) {
     QSignalSpy probed(&window.view(), &BrdfView::probed);
-    QTest::mouseMove(&window.view(), at + QPoint(1, 0));
-    QTest::mouseMove(&window.view(), at);
+    test::move_pointer(window.view(), at);
     PixelProbe last;
     EXPECT_TRUE(QTest::qWaitFor(
         [&] {
@@ -78,12 +77,6 @@ class ShownViewer {
 
   BrdfViewerWindow window;
 };
-
-/// Moves the pointer with a button pressed, which QTest's own moves have not.
-void drag_to(BrdfView& view, const QPoint& at) {
-  QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(QPointF(at)), Qt::NoButton, Qt::LeftButton, {});
-  QApplication::sendEvent(&view, &move);
-}
 
 QPoint brightest(const QImage& image, const QRect& place) {
   QPoint at;
@@ -288,7 +281,7 @@ TEST(BrdfViewerWindow, ShowsBOnTheRightOfTheSplit) {
   // The split is dragged.
   BrdfView* view = &viewer.window.view();
   QTest::mousePress(view, Qt::LeftButton, {}, middle);
-  drag_to(*view, middle + QPoint(100, 0));
+  test::move_pointer(*view, middle + QPoint(100, 0), Qt::LeftButton);
   QTest::mouseRelease(view, Qt::LeftButton, {}, middle + QPoint(100, 0));
   viewer.settle();
   EXPECT_NEAR(viewer.setting("split"), 0.5 + 100.0 / view->width(), 0.01);
@@ -302,7 +295,7 @@ TEST(BrdfViewerWindow, MovesTheHighlightUnderThePointer) {
   for (const QPoint& by : {QPoint(70, -40), QPoint(-60, 50)}) {
     const QPoint at = viewer.middle() + by;
     QTest::mousePress(view, Qt::LeftButton, {}, viewer.middle());
-    drag_to(*view, at);
+    test::move_pointer(*view, at, Qt::LeftButton);
     viewer.settle();
     const QPoint dragged = brightest(view->image().image, view->rect());
     EXPECT_NEAR(dragged.x(), at.x(), 6);
@@ -321,7 +314,7 @@ TEST(BrdfViewerWindow, FollowsThePointerAndTheKeys) {
   ShownViewer viewer("tool brdfviewer shape=teapot" + brdfs("phong"));
   BrdfView* view = &viewer.window.view();
   QTest::mousePress(view, Qt::LeftButton, {}, viewer.middle());
-  drag_to(*view, viewer.middle() + QPoint(50, 0));
+  test::move_pointer(*view, viewer.middle() + QPoint(50, 0), Qt::LeftButton);
   QTest::mouseRelease(view, Qt::LeftButton, {}, viewer.middle() + QPoint(50, 0));
   EXPECT_LT(viewer.setting("azimuth"), -20);
   const float elevation = viewer.setting("elevation");

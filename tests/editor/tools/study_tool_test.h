@@ -11,6 +11,7 @@
 #include "editor/controls/number_box.h"
 #include "editor/tools/figure_view.h"
 #include "editor/tools/study_window.h"
+#include "tests/editor/pointer.h"
 #include "tests/editor/window/window_driver.h"
 #include "tests/support/temporary_folder.h"
 
@@ -51,8 +52,7 @@ class StudyToolTest : public testing::Test {
   /// Moves the pointer to a position of the figure, in its own units, and returns the text of the status
   /// line.
   std::string pointed_at(const QPointF& at) {
-    QTest::mouseMove(&window_.figure(), window_.figure().in_widget(at).toPoint());
-    QTest::qWait(50);
+    test::move_pointer(window_.figure(), window_.figure().in_widget(at));
     return pointed().toStdString();
   }
   std::string summary() { return window_.figure().accessibleDescription().toStdString(); }

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 
 #include "editor/appearance/theme.h"
+#include "tests/editor/pointer.h"
 #include "tests/editor/tools/study_tool_test.h"
 #include "tests/support/paths.h"
 #include "tests/support/run.h"
@@ -89,11 +90,11 @@ TEST_F(StudyWindowTest, ShowsAFileAndDescribesWhatIsUnderThePointer) {
   EXPECT_FALSE(figure.image().isNull());
   EXPECT_THAT(figure.accessibleDescription().toStdString(), HasSubstr("1 value differs"));
   // The normal is at the centre of the disc, at (750, 206) of the figure.
-  QTest::mouseMove(&figure, figure.in_widget({750, 206}).toPoint());
+  test::move_pointer(figure, figure.in_widget({750, 206}));
   EXPECT_TRUE(QTest::qWaitFor([this] { return pointed().startsWith("\u03B8 = 0\u00B0"); }))
       << pointed().toStdString();
   EXPECT_THAT(pointed().toStdString(), HasSubstr("value 0.15915, the BRDF's own 0.15915"));
-  QTest::mouseMove(&figure, figure.in_widget({600, 20}).toPoint());
+  test::move_pointer(figure, figure.in_widget({600, 20}));
   EXPECT_TRUE(QTest::qWaitFor([this] { return pointed().isEmpty(); }));
 }
 

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/editor/pointer.h"
 #include "tests/editor/view/shown_view.h"
 #include "tests/support/temporary_folder.h"
 
@@ -104,9 +105,7 @@ TEST(RefusedShaders, OfTheViewItselfLeaveAMessage) {
               testing::AllOf(testing::HasSubstr("compose.frag"), testing::HasSubstr("no such thing")));
   QTest::mousePress(&view, Qt::LeftButton, Qt::ShiftModifier, {100, 50});
   for (const QPoint& place : {QPoint(150, 100), QPoint(200, 150)}) {
-    QMouseEvent move(QEvent::MouseMove, QPointF(place), QPointF(place), Qt::NoButton, Qt::LeftButton,
-                     Qt::ShiftModifier);
-    QApplication::sendEvent(&view, &move);
+    test::move_pointer(view, place, Qt::LeftButton, Qt::ShiftModifier);
   }
   QTest::mouseRelease(&view, Qt::LeftButton, Qt::ShiftModifier, {200, 150});
   EXPECT_TRUE(test::wait_for([&] { return !view.is_selecting(); }, 5));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QApplication>
-#include <QMouseEvent>
 #include <QTest>
 #include <memory>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "editor/view/scene_view.h"
 #include "grf/read.h"
+#include "tests/editor/pointer.h"
 
 namespace test {
 
@@ -92,9 +92,7 @@ class ShownView {
   }
 
   void move(const QPoint& point, Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
-    QMouseEvent event(QEvent::MouseMove, QPointF(point), QPointF(view.mapToGlobal(point)), Qt::NoButton,
-                      button, modifiers);
-    QApplication::sendEvent(&view, &event);
+    test::move_pointer(view, point, button, modifiers);
   }
 
   editor::SceneView view;

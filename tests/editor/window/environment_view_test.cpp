@@ -133,7 +133,7 @@ TEST_F(EnvironmentInWindow, LightsTheSphereOfTheBrdfDock) {
 SkyDialog& open_sky(MainWindow& window) {
   QTest::mouseClick(&test::named<QPushButton>(window, "Sky by place and time"), Qt::LeftButton);
   auto& dialog = *window.findChild<SkyDialog*>();
-  EXPECT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+  EXPECT_TRUE(QTest::qWaitForWindowActive(&dialog));
   const auto type = [&dialog](const char* field, const char* text) {
     auto& box = test::named<QAbstractSpinBox>(dialog, field);
     box.setFocus();
@@ -208,7 +208,7 @@ TEST_F(EnvironmentInWindow, IsASkyByPlaceAndTime) {
 
 TEST_F(EnvironmentInWindow, HasNoSkyAtNight) {
   SkyDialog& dialog = open_sky(window_);
-  ASSERT_TRUE(shows(dialog, "azimuth 194.3"));
+  ASSERT_TRUE(shows(dialog, "azimuth 194.3")) << summary_of(dialog).toStdString();
   auto& time = test::named<QTimeEdit>(dialog, "Local time");
   time.setTime({23, 0});
   ASSERT_TRUE(shows(dialog, "below the horizon"));

@@ -19,6 +19,7 @@
 #include "editor/view/screen_geometry.h"
 #include "editor/window/docks.h"
 #include "grf/write.h"
+#include "tests/editor/pointer.h"
 #include "tests/editor/window/authoring.h"
 
 namespace editor {
@@ -282,14 +283,14 @@ TEST_F(Placing, FollowsThePointerUntilEscape) {
   click({0.5, 0.5, 1});
   const ViewCamera camera = window_.view().camera();
   QTest::keyClicks(&window_.view(), "g");
-  QTest::mouseMove(&window_.view(), pixel({2, 1, 0}));
+  test::move_pointer(window_.view(), pixel({2, 1, 0}));
   QTest::keyClicks(&window_.view(), "7");
   EXPECT_EQ(window_.view().camera(), camera) << "digits are the distance";
   QTest::keyClick(&window_.view(), Qt::Key_Escape);
   EXPECT_EQ(text(), before);
   EXPECT_EQ(document().undo_stack().count(), 0);
   QTest::keyClicks(&window_.view(), "g");
-  QTest::mouseMove(&window_.view(), pixel({2, 1, 0}));
+  test::move_pointer(window_.view(), pixel({2, 1, 0}));
   QTest::mouseClick(&window_.view(), Qt::RightButton, {}, pixel({2, 1, 0}));
   EXPECT_EQ(document().undo_stack().count(), 0);
   QTest::keyClicks(&window_.view(), "7");

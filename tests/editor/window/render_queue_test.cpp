@@ -12,6 +12,7 @@
 #include "editor/image/image_browser.h"
 #include "editor/rendering/render_panel.h"
 #include "renderer/transport/image/image.h"
+#include "tests/editor/pointer.h"
 #include "tests/editor/window/authoring.h"
 
 namespace editor {
@@ -136,9 +137,7 @@ TEST_F(RenderQueue, ShowsTheLayersOfAFinishedRender) {
   EXPECT_EQ(layers.currentText(), "samples");
   QTest::keyClick(&images.pane(), Qt::Key_L, Qt::ShiftModifier);
   EXPECT_EQ(layers.currentText(), "depth");
-  const QPointF place = images.pane().place_of({16, 12});
-  QMouseEvent move(QEvent::MouseMove, place, images.pane().mapToGlobal(place), Qt::NoButton, {}, {});
-  QApplication::sendEvent(&images.pane(), &move);
+  test::move_pointer(images.pane(), images.pane().place_of({16, 12}));
   const auto& values = test::named<QLabel>(images, "Values of the pixel");
   EXPECT_TRUE(QTest::qWaitFor([&] { return values.text() == "x 16  y 12   depth 5"; }))
       << "the eye is 5 in front of the square: " << values.text().toStdString();

@@ -21,6 +21,7 @@
 
 #include "editor/controls/notice_bar.h"
 #include "editor/window/source_view.h"
+#include "tests/editor/pointer.h"
 #include "tests/editor/view/shown_view.h"
 #include "tests/support/temporary_folder.h"
 
@@ -54,13 +55,7 @@ class ViewerWindowTest : public testing::Test {
     return !spy.empty() || spy.wait(20000);
   }
 
-  /// Moves the pointer in the view, independently of the screen's pointer.
-  void move(const QPoint& to, Qt::MouseButton button) {
-    SceneView& view = window_.view();
-    QMouseEvent event(QEvent::MouseMove, QPointF(to), QPointF(view.mapToGlobal(to)), Qt::NoButton, button,
-                      Qt::NoModifier);
-    QApplication::sendEvent(&view, &event);
-  }
+  void move(const QPoint& to, Qt::MouseButton button) { test::move_pointer(window_.view(), to, button); }
   const SceneObjects& objects() { return window_.view().objects(); }
   std::string notice() { return window_.notice().text().toStdString(); }
   std::string status() const {
