@@ -175,9 +175,7 @@ void study(test::SampleScene scene, double paths, Coverages& coverages) {
 
 void expect_as_stated(const Coverage& coverage, const char* name) {
   coverage.print(name);
-  const double error = 3 * coverage.deviation() + 0.01;
-  EXPECT_GT(coverage.mean(), transport::Forecast::Coverage - error) << name;
-  EXPECT_LT(coverage.mean(), 0.98 + error) << name << ": an interval that is always right says little";
+  EXPECT_GT(coverage.mean(), transport::Forecast::Coverage - 3 * coverage.deviation() - 0.01) << name;
 }
 
 double paths_per_render() { return 1e5 * number_from("FORECAST_PATHS", 30); }
@@ -186,9 +184,10 @@ void expect_as_stated(const Coverages& coverages) {
   expect_as_stated(coverages.of_prefixes, "samples, from the render's first checks");
   expect_as_stated(coverages.of_probes, "samples, from a probe of a third of the tiles");
   expect_as_stated(coverages.of_times, "time per sample");
+  // An interval may be right more often than stated over so few scenes, but a wide one says little.
   EXPECT_LT(coverages.of_prefixes.width(), 4);
-  EXPECT_LT(coverages.of_probes.width(), 4);
-  EXPECT_LT(coverages.of_times.width(), 2);
+  EXPECT_LT(coverages.of_probes.width(), 2.5);
+  EXPECT_LT(coverages.of_times.width(), 1.6);
 }
 
 TEST(Forecast, HoldsAsOftenAsStatedOverTheSamples) {

@@ -136,7 +136,15 @@ SkyDialog& open_sky(MainWindow& window) {
   EXPECT_TRUE(QTest::qWaitForWindowActive(&dialog));
   const auto type = [&dialog](const char* field, const char* text) {
     auto& box = test::named<QAbstractSpinBox>(dialog, field);
-    box.setFocus();
+    // Without a window manager a dialog may lose the keyboard again, and what is typed is committed only as
+    // the focus goes on.
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+          if (!dialog.isActiveWindow()) dialog.activateWindow();
+          box.setFocus();
+          return box.hasFocus();
+        },
+        test::Minute));
     box.selectAll();
     QTest::keyClicks(&box, text);
     QTest::keyClick(&box, Qt::Key_Tab);
