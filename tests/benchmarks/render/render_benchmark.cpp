@@ -1,4 +1,4 @@
-// Renders the benchmark's four scenes with bpt, and on request with Blender's Cycles in turn, and reports
+// Renders the benchmark's scenes with bpt, and on request with Blender's Cycles in turn, and reports
 // their speed and accuracy: see tests/benchmarks/README.md.
 #include <algorithm>
 #include <exception>
@@ -30,7 +30,7 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--folder", arguments.folder, "folder for scenes, images, references and results")
       ->capture_default_str();
   app.add_option("--scenes", arguments.scenes,
-                 "cornell_box, glossy_sphere, coated_knot, environment; all by default")
+                 "names of scenes, see tests/benchmarks/README.md; all by default")
       ->delimiter(',');
   app.add_option("--size", settings.size, "width and height, pixels")
       ->check(CLI::Range(1, 8192))

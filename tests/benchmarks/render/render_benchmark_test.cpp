@@ -1,8 +1,13 @@
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <map>
+#include <string>
+#include <variant>
 
 #include <gtest/gtest.h>
 
+#include "grf/read.h"
 #include "tests/benchmarks/render/outdoor_map.h"
 #include "tests/benchmarks/render/report.h"
 #include "tests/support/paths.h"
@@ -17,6 +22,34 @@ using benchmark::to_csv;
 using benchmark::to_json;
 using benchmark::to_markdown;
 using transport::Image;
+namespace fs = std::filesystem;
+
+/// The number of things in a scene, with those of included files.
+struct Contents {
+  int lamps = 0;
+
+  void add(const grf::BlockList& list) {
+    for (const grf::Block& block : list.blocks) {
+      if (std::holds_alternative<grf::AreaLight>(block.content)) ++lamps;
+      if (const auto* include = std::get_if<grf::Include>(&block.content)) add(*include->contents);
+      if (const auto* moved = std::get_if<grf::Transform>(&block.content)) add(moved->body);
+      if (const auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) add(scope->body);
+    }
+  }
+};
+
+/// The contents of the benchmark's scenes with small meshes, by name.
+std::map<std::string, Contents> contents_of_scenes() {
+  const test::TemporaryFolder folder;
+  std::map<std::string, Contents> contents;
+  for (const benchmark::SceneFiles& scene : benchmark::make_scenes(folder.path("scenes"), true)) {
+    grf::Diagnostics diagnostics;
+    const auto read = grf::read(fs::path(scene.op).replace_extension(".grf"), diagnostics);
+    EXPECT_TRUE(read && diagnostics.to_text().empty()) << diagnostics.to_text();
+    if (read) contents[scene.name].add(read->contents);
+  }
+  return contents;
+}
 
 TEST(RenderBenchmark, MeasuresAllScenes) {
   const test::TemporaryFolder folder;
@@ -28,7 +61,7 @@ TEST(RenderBenchmark, MeasuresAllScenes) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   std::ifstream file(folder.path("run/results.json"));
   const auto rows = nlohmann::json::parse(file);
-  ASSERT_EQ(rows.size(), 4U);
+  ASSERT_EQ(rows.size(), 6U);
   for (const auto& row : rows) {
     SCOPED_TRACE(row.dump());
     for (const char* name : {"paths_per_second", "rays_per_second", "relmse", "peak_memory_bytes"}) {
@@ -42,6 +75,12 @@ TEST(RenderBenchmark, MeasuresAllScenes) {
     EXPECT_GT(row.at("embree_share").get<double>(), 0.01);
     EXPECT_LT(row.at("embree_share").get<double>(), 0.99);
   }
+}
+
+TEST(RenderBenchmark, HasWhatTheNamesOfScenesSay) {
+  std::map<std::string, Contents> contents = contents_of_scenes();
+  EXPECT_EQ(contents.at("many_lamps_100").lamps, 100);
+  EXPECT_EQ(contents.at("many_lamps_400").lamps, 400);
 }
 
 TEST(RenderBenchmark, SaysWhichSceneItDoesNotHave) {

@@ -2,7 +2,9 @@
 
 #include <stdexcept>
 
+#include "grf/text_file.h"
 #include "renderer/transport/image/image_file.h"
+#include "tests/benchmarks/render/generated_scenes.h"
 #include "tests/benchmarks/render/outdoor_map.h"
 #include "tests/support/paths.h"
 #include "tests/support/run.h"
@@ -38,14 +40,20 @@ void make_environment_map(const fs::path& file) {
   }
 }
 
-/// Copies SOURCE.grf and SOURCE.op into the scene's own folder, and makes its meshes there.
+void write(const fs::path& file, const std::string& text) {
+  grf::Diagnostics diagnostics;
+  if (!grf::replace_file(file.string(), text, diagnostics)) throw std::runtime_error(diagnostics.to_text());
+}
+
+/// Copies SOURCE.op, and SOURCE.grf unless the scene is generated, into the scene's own folder, and makes its
+/// meshes there.
 SceneFiles make_scene(const fs::path& own, const fs::path& source, const std::vector<Shape>& shapes,
                       bool small) {
   const std::string name = source.filename().string();
   fs::create_directories(own);
   for (const char* extension : {".grf", ".op"}) {
-    fs::copy_file(source.string() + extension, own / (name + extension),
-                  fs::copy_options::overwrite_existing);
+    const fs::path file = source.string() + extension;
+    if (fs::exists(file)) fs::copy_file(file, own / (name + extension), fs::copy_options::overwrite_existing);
   }
   for (const Shape& shape : shapes) make_shape(own, shape, small);
   return {own.filename().string(), own / (name + ".op")};
@@ -65,6 +73,12 @@ std::vector<SceneFiles> make_scenes(const fs::path& folder, bool small) {
   make(sources / "coated_knot", {{"knot", 100'000, "coated"}});
   make(sources / "environment", {sphere, {"knot", 70'000, "glossy"}});
   make_environment_map(folder / "environment" / "outdoor.exr");
+  for (const int lamps : {100, 400}) {
+    const fs::path own = folder / ("many_lamps_" + std::to_string(lamps));
+    scenes.push_back(make_scene(own, sources / "many_lamps",
+                                {{"sphere", 4'000, "metal"}, {"knot", 20'000, "coated"}}, small));
+    write(own / "many_lamps.grf", hall_of_lamps(lamps));
+  }
   return scenes;
 }
 

@@ -11,11 +11,11 @@ struct SceneFiles {
   std::filesystem::path op;  ///< the GRF scene is beside it
 };
 
-/// Makes the benchmark's four scenes in a folder: the Cornell box of samples/, and those of scenes/ with
-/// their meshes. The environment map is Debian's forest.exr (package `blender-data`), or our own if that is
+/// Makes the benchmark's scenes in a folder: the Cornell box of samples/, those of scenes/ with their meshes,
+/// and those of generated_scenes.h. The environment map is Debian's forest.exr (package `blender-data`), or our own if that is
 /// not installed. Throws if a file cannot be written.
 ///
-/// `small` limits meshes to 2,000 triangles.
+/// `small` limits meshes to 2,000 triangles; the numbers of lamps stay.
 std::vector<SceneFiles> make_scenes(const std::filesystem::path& folder, bool small);
 
 /// Makes the scenes of artefacts/ in a folder: `terminator` with a coarse sphere, `fine_terminator` with a
