@@ -15,7 +15,7 @@ constexpr double Height = 4;
 std::string lamp(double x, double z, double cell, Random& random) {
   const double width = cell * random(0.12, 0.26);
   const double length = cell * random(0.12, 0.36);
-  const double turn = random(0, 3.14159265);
+  const double turn = random(0, TwoPi / 2);
   const double tilt = random(0, 1) < 0.3 ? random(-0.7, 0.7) : 0;
   const double radiance = 20 * std::exp(random(-1, 1));
   const double warmth = random(0, 1);

@@ -2,9 +2,13 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
+#include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
+#include <ImathBox.h>
 #include <gtest/gtest.h>
 
 #include "grf/read.h"
@@ -24,18 +28,64 @@ using benchmark::to_markdown;
 using transport::Image;
 namespace fs = std::filesystem;
 
-/// The number of things in a scene, with those of included files.
+/// What a scene places, with what its included files place.
 struct Contents {
   int lamps = 0;
+  int instances = 0;  ///< of meshes that are defined by name
+  std::set<std::string> textures;
+  std::vector<grf::BrdfModel> brdfs;  ///< of faces, distinct
+  Imath::Box2f uv;
+  int mirrored = 0;  ///< faces whose texture is mirrored
 
   void add(const grf::BlockList& list) {
     for (const grf::Block& block : list.blocks) {
-      if (std::holds_alternative<grf::AreaLight>(block.content)) ++lamps;
-      if (const auto* include = std::get_if<grf::Include>(&block.content)) add(*include->contents);
-      if (const auto* moved = std::get_if<grf::Transform>(&block.content)) add(moved->body);
-      if (const auto* scope = std::get_if<grf::DefinitionScope>(&block.content)) add(scope->body);
+      std::visit([&](const auto& content) { add(content); }, block.content);
     }
   }
+
+  std::map<std::string, int> keywords() const {
+    std::map<std::string, int> counts;
+    for (const grf::BrdfModel& brdf : brdfs) ++counts[brdf.keyword];
+    return counts;
+  }
+
+ private:
+  void add(const grf::AreaLight& /*light*/) { ++lamps; }
+  void add(const grf::MeshLight& /*light*/) {}
+  void add(const grf::Params& /*params*/) {}
+  void add(const grf::Use& /*use*/) { ++instances; }
+  void add(const grf::Include& include) { add(*include.contents); }
+  void add(const grf::Transform& transform) { add(transform.body); }
+  void add(const grf::DefinitionScope& scope) {
+    const auto outer = definitions_;
+    for (const grf::Definition& definition : scope.definitions) {
+      if (const auto* brdf = std::get_if<grf::BrdfModel>(&definition.body))
+        definitions_[definition.name] = *brdf;
+    }
+    add(scope.body);
+    definitions_ = outer;
+  }
+  void add(const grf::Shared<grf::Mesh>& mesh) {
+    for (const grf::Surface& surface : mesh->surfaces) {
+      if (surface.texture) textures.insert(std::get<grf::Texture>(*surface.texture).file);
+      if (surface.brdf) add(definitions_.at(std::get<grf::Reference>(*surface.brdf).name));
+    }
+    for (std::size_t face = 0; face < mesh->face_count(); ++face) add_uv(*mesh, mesh->face(face));
+  }
+  void add(const grf::BrdfModel& brdf) {
+    if (std::find(brdfs.begin(), brdfs.end(), brdf) == brdfs.end()) brdfs.push_back(brdf);
+  }
+  void add_uv(const grf::Mesh& mesh, std::span<const std::uint32_t> corners) {
+    std::vector<Imath::V2f> uvs;
+    for (const std::uint32_t corner : corners) {
+      if (mesh.geometry->uvs.has(corner)) uvs.push_back(mesh.geometry->uvs[corner]);
+    }
+    if (uvs.size() < 3) return;
+    for (const Imath::V2f& at : uvs) uv.extendBy(at);
+    if ((uvs[1] - uvs[0]).cross(uvs[2] - uvs[0]) < 0) ++mirrored;
+  }
+
+  std::map<std::string, grf::BrdfModel> definitions_;
 };
 
 /// The contents of the benchmark's scenes with small meshes, by name.
@@ -61,7 +111,7 @@ TEST(RenderBenchmark, MeasuresAllScenes) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   std::ifstream file(folder.path("run/results.json"));
   const auto rows = nlohmann::json::parse(file);
-  ASSERT_EQ(rows.size(), 6U);
+  ASSERT_EQ(rows.size(), 10U);
   for (const auto& row : rows) {
     SCOPED_TRACE(row.dump());
     for (const char* name : {"paths_per_second", "rays_per_second", "relmse", "peak_memory_bytes"}) {
@@ -72,6 +122,9 @@ TEST(RenderBenchmark, MeasuresAllScenes) {
     const double product = row.at("relmse").get<double>() * row.at("render_seconds").get<double>();
     EXPECT_NEAR(efficiency * product, 1, 1e-9);
     if (test::HasSanitizers) continue;
+    // Copies of the trees of `instances` would be 1.6 million triangles, of more than 100 bytes with
+    // Embree's.
+    EXPECT_LT(row.at("peak_memory_bytes").get<double>(), 130e6);
     EXPECT_GT(row.at("embree_share").get<double>(), 0.01);
     EXPECT_LT(row.at("embree_share").get<double>(), 0.99);
   }
@@ -81,6 +134,25 @@ TEST(RenderBenchmark, HasWhatTheNamesOfScenesSay) {
   std::map<std::string, Contents> contents = contents_of_scenes();
   EXPECT_EQ(contents.at("many_lamps_100").lamps, 100);
   EXPECT_EQ(contents.at("many_lamps_400").lamps, 400);
+  EXPECT_EQ(contents.at("instances").instances, 10'000);
+
+  const Contents& brdfs = contents.at("many_brdfs");
+  EXPECT_EQ(brdfs.brdfs.size(), 20U);
+  const auto keywords = brdfs.keywords();
+  EXPECT_EQ(keywords.at("he"), 2);
+  EXPECT_EQ(keywords.at("westin"), 1);
+  EXPECT_EQ(keywords.at("combine"), 2);
+  EXPECT_EQ(keywords.at("measured"), 1);
+
+  const Contents& textured = contents.at("textured");
+  EXPECT_EQ(textured.textures.size(), 50U);
+  EXPECT_LT(textured.uv.min.x, -2);
+  EXPECT_LT(textured.uv.min.y, -1);
+  EXPECT_GT(textured.uv.max.x, 2);
+  EXPECT_GT(textured.uv.max.y, 1);
+  EXPECT_GT(textured.mirrored, 500);
+
+  EXPECT_EQ(contents.at("interior").lamps, 0);
 }
 
 TEST(RenderBenchmark, SaysWhichSceneItDoesNotHave) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 namespace benchmark {
 
 using Imath::V3d;
+
+constexpr double TwoPi = 2 * std::numbers::pi;
 
 /// Uniform random numbers that are the same with every standard library, whose distributions differ. Call it
 /// once per statement, since the order of evaluation within an expression differs between compilers.

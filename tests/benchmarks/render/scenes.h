@@ -12,8 +12,8 @@ struct SceneFiles {
 };
 
 /// Makes the benchmark's scenes in a folder: the Cornell box of samples/, those of scenes/ with their meshes,
-/// and those of generated_scenes.h. The environment map is Debian's forest.exr (package `blender-data`), or our own if that is
-/// not installed. Throws if a file cannot be written.
+/// and those of generated_scenes.h. The environment map is Debian's forest.exr (package `blender-data`), or
+/// our own if that is not installed. Throws if a file cannot be written.
 ///
 /// `small` limits meshes to 2,000 triangles; the numbers of lamps stay.
 std::vector<SceneFiles> make_scenes(const std::filesystem::path& folder, bool small);
