@@ -14,37 +14,57 @@ import sys
 from pathlib import Path
 
 import bpy
-from mathutils import Matrix, Vector
+from mathutils import Euler, Matrix, Vector
 
-TOKEN = re.compile(r'//[^\n]*|"([^"]*)"|([()=]|[^\s()=,"]+)')
+TOKEN = re.compile(r'//[^\n]*|("[^"]*)"|([()=]|[^\s()=,"]+)')
+
+# Turns y-up into Blender's z-up so that an environment map needs no rotation: its centre, GRF's -z, is Blender's +x.
+TO_BLENDER = Matrix(((0, 0, -1, 0), (-1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 0, 1)))
 
 
 def tokens_of(path):
+    """The words of a file; strings begin with a quote."""
     text = path.read_text()
     return [m.group(1) or m.group(2) for m in TOKEN.finditer(text) if not m.group().startswith("//")]
 
 
 def to_blender(p):
-    """Turns y-up into Blender's z-up so that an environment map needs no rotation: its centre, GRF's -z, is
-    Blender's +x."""
-    return (-p[2], -p[0], p[1])
+    return TO_BLENDER @ Vector(p)
+
+
+class Mesh:
+    """A mesh in Blender's axes. A surface is a BRDF and the path of a texture or None."""
+
+    def __init__(self):
+        self.positions, self.normals, self.uvs, self.faces = [], [], [], []
+        self.surfaces, self.surface_of_face = [], []
+
+    def add_face(self, corners, surface):
+        if surface not in self.surfaces:
+            self.surfaces.append(surface)
+        self.faces.append(corners)
+        self.surface_of_face.append(self.surfaces.index(surface))
 
 
 class GrfReader:
-    """The meshes, lights and BRDFs of a file, in Blender's axes."""
+    """The placed meshes and the lights of a file."""
 
     def __init__(self, path):
-        self.brdfs = {}  # name: (keyword, {parameter: number or triple}), or a list of names for a sum
-        self.meshes = []  # (brdf's name, positions, normals or [], faces)
+        # A BRDF is a keyword and parameters as pairs, or a tuple of BRDFs for a sum.
+        self.scope = {}  # name: BRDF or Mesh
+        self.meshes = []  # (Mesh, its matrix in Blender's axes)
         self.lights = []  # (radiance, corner, edge, edge)
-        self.read(path, Vector((0, 0, 0)))
+        self.read(path, Matrix())
 
-    def read(self, path, offset):
+    def read(self, path, placing):
         outer = getattr(self, "tokens", None), getattr(self, "at", 0)
         self.tokens, self.at = tokens_of(path), 0
         while self.at < len(self.tokens):
-            self.block(path.parent, offset)
+            self.block(path.parent, placing)
         self.tokens, self.at = outer
+
+    def peek(self):
+        return self.tokens[self.at]
 
     def next(self):
         self.at += 1
@@ -56,76 +76,124 @@ class GrfReader:
             if found != word:
                 raise ValueError(f"expected {word}, found {found}")
 
-    def vector(self):
+    def vector(self, count=3):
         self.expect("(")
-        values = Vector([float(self.next()) for _ in range(3)])
+        values = Vector([float(self.next()) for _ in range(count)])
         self.expect(")")
         return values
 
-    def block(self, folder, offset):
+    def block(self, folder, placing):
         word = self.next()
         if word == "def":
-            self.definition()
-        elif word == "begin" and self.tokens[self.at] == "mesh":
-            self.mesh(offset)
+            self.definitions(folder, placing)
+        elif word == "begin" and self.peek() == "mesh":
+            self.place(self.mesh(folder), placing)
+        elif word == "use":
+            self.place(self.scope[self.next()], placing)
         elif word == "begin":
-            while self.tokens[self.at] != "end":
-                self.block(folder, offset)
-            self.expect("end")
+            self.blocks_until_end(folder, placing)
         elif word == "light":
-            self.light(offset)
+            self.light(placing)
         elif word == "include":
-            self.read(folder / self.next(), offset)
+            self.read(folder / self.next()[1:], placing)
         elif word == "transform":
-            self.expect("translation")
-            moved = offset + self.vector()
-            self.block(folder, moved)
+            placing = placing @ self.transform()
+            self.expect("begin")
+            self.blocks_until_end(folder, placing)
         else:
             raise ValueError(f"'{word}' is not in the scenes of the benchmark")
 
-    def definition(self):
-        name = self.next()
-        self.expect("=", "brdf")
+    def blocks_until_end(self, folder, placing):
+        while self.peek() != "end":
+            self.block(folder, placing)
+        self.expect("end")
+
+    def place(self, mesh, placing):
+        self.meshes.append((mesh, TO_BLENDER @ placing @ TO_BLENDER.inverted()))
+
+    def transform(self):
+        """The steps act in the order written."""
+        matrix = Matrix()
+        while self.peek() != "begin":
+            step = self.next()
+            v = self.vector()
+            if step == "scale":
+                matrix = Matrix.Diagonal((*v, 1)) @ matrix
+            elif step == "rotation":
+                matrix = Euler(v, "XYZ").to_matrix().to_4x4() @ matrix
+            else:
+                matrix = Matrix.Translation(v) @ matrix
+        return matrix
+
+    def definitions(self, folder, placing):
+        outer = dict(self.scope)
+        self.at -= 1
+        while self.peek() == "def":
+            self.expect("def")
+            name = self.next()
+            self.expect("=")
+            word = self.next()
+            self.scope[name] = self.mesh(folder) if word == "begin" else self.brdf()
+        self.expect("begin")
+        self.blocks_until_end(folder, placing)
+        self.scope = outer
+
+    def brdf(self):
         keyword = self.next()
         if keyword == "combine":
-            self.brdfs[name] = []
-            while self.tokens[self.at] == "1":
+            terms = []
+            while self.peek() == "1":
                 self.expect("1")
-                self.brdfs[name].append(self.next())
-            return
-        parameters = {}
+                terms.append(self.scope[self.next()])
+            return tuple(terms)
+        parameters = []
         while self.tokens[self.at + 1] == "=":
             parameter = self.next()
             self.expect("=")
-            parameters[parameter] = self.vector() if self.tokens[self.at] == "(" else float(self.next())
-        self.brdfs[name] = (keyword, parameters)
+            parameters.append((parameter, tuple(self.vector()) if self.peek() == "(" else float(self.next())))
+        return keyword, tuple(parameters)
 
-    def light(self, offset):
+    def light(self, placing):
         self.expect("begin", "rgb")
         radiance, corner, edge1, edge2 = (self.vector() for _ in range(4))
         self.expect("end")
-        self.lights.append((radiance, to_blender(corner + offset), to_blender(edge1), to_blender(edge2)))
+        turn = TO_BLENDER.to_3x3() @ placing.to_3x3()
+        self.lights.append((radiance, TO_BLENDER @ placing @ corner, turn @ edge1, turn @ edge2))
 
-    def mesh(self, offset):
+    def attribute(self, folder, surface):
+        word = self.next()
+        if word == "brdf":
+            return self.scope[self.next()], surface[1]
+        if word == "texture":
+            return surface[0], folder / self.next()[1:]
+        raise ValueError(f"'{word}' is no attribute in the scenes of the benchmark")
+
+    def mesh(self, folder):
         self.expect("mesh")
-        self.next()
-        self.expect("brdf")
-        brdf = self.next()
+        mesh, surface = Mesh(), (None, None)
+        if self.peek().startswith('"'):
+            self.next()
+        while self.peek() != "begin":
+            surface = self.attribute(folder, surface)
         self.expect("begin", "vertexs")
-        positions, normals = [], []
-        while self.tokens[self.at] != "end":
-            if self.tokens[self.at] == "normal":
+        while self.peek() != "end":
+            if self.peek() == "normal":
                 self.expect("normal")
-                normals.append(to_blender(self.vector()))
-            positions.append(to_blender(self.vector() + offset))
+                mesh.normals.append(to_blender(self.vector()))
+            if self.peek() == "uv":
+                self.expect("uv")
+                mesh.uvs.append(self.vector(2))
+            mesh.positions.append(to_blender(self.vector()))
         self.expect("end", "vertexs", "begin", "faces")
-        faces = []
-        while self.next() == "(":
+        while self.peek() != "end":
+            if self.peek() != "(":
+                surface = self.attribute(folder, surface)
+                continue
             end = self.tokens.index(")", self.at)
-            faces.append([int(corner) for corner in self.tokens[self.at : end]])
+            mesh.add_face([int(corner) for corner in self.tokens[self.at + 1 : end]], surface)
             self.at = end + 1
-        self.expect("faces", "end", "mesh")
-        self.meshes.append((brdf, positions, normals, faces))
+        self.expect("end", "faces", "end", "mesh")
+        return mesh
 
 
 def colour_of(value):
@@ -136,18 +204,32 @@ def reflectance_at_normal(n, k):
     return ((n - 1) ** 2 + k * k) / ((n + 1) ** 2 + k * k)
 
 
-def add_brdf(nodes, links, brdfs, name):
+def set_colour(nodes, links, socket, colour, tint):
+    """Sets the colour of a closure: a value or a socket, times the texture's socket if there is one."""
+    if tint is None and isinstance(colour, bpy.types.NodeSocket):
+        links.new(colour, socket)
+    elif tint is None:
+        socket.default_value = colour
+    else:
+        product = nodes.new("ShaderNodeMixRGB")
+        product.blend_type = "MULTIPLY"
+        product.inputs["Fac"].default_value = 1
+        links.new(tint, product.inputs["Color1"])
+        set_colour(nodes, links, product.inputs["Color2"], colour, None)
+        links.new(product.outputs[0], socket)
+
+
+def add_brdf(nodes, links, brdf, tint):
     """Returns the output socket of a BRDF's closure."""
-    brdf = brdfs[name]
-    if isinstance(brdf, list):
+    if not isinstance(brdf[0], str):
         total = nodes.new("ShaderNodeAddShader")
         for socket, term in zip(total.inputs, brdf, strict=True):
-            links.new(add_brdf(nodes, links, brdfs, term), socket)
+            links.new(add_brdf(nodes, links, term, tint), socket)
         return total.outputs[0]
-    keyword, parameters = brdf
+    keyword, parameters = brdf[0], dict(brdf[1])
     if keyword == "diffuse":
         node = nodes.new("ShaderNodeBsdfDiffuse")
-        node.inputs["Color"].default_value = colour_of(parameters["kd"])
+        set_colour(nodes, links, node.inputs["Color"], colour_of(parameters["kd"]), tint)
         return node.outputs[0]
     if keyword != "torrance" or parameters["kd"] != 0:
         raise ValueError(f"no node for {keyword}")
@@ -156,40 +238,63 @@ def add_brdf(nodes, links, brdfs, name):
     node.inputs["Roughness"].default_value = math.sqrt(parameters["rough"])  # Cycles squares it
     if parameters["nimag"] > 0:
         reflectance = reflectance_at_normal(parameters["nreal"], parameters["nimag"])
-        node.inputs["Color"].default_value = [reflectance * c for c in colour_of(parameters["ks"])[:3]] + [1]
+        colour = [reflectance * c for c in colour_of(parameters["ks"])[:3]] + [1]
     else:
         fresnel = nodes.new("ShaderNodeFresnel")
         fresnel.inputs["IOR"].default_value = parameters["nreal"]
-        links.new(fresnel.outputs[0], node.inputs["Color"])
+        colour = fresnel.outputs[0]
+    set_colour(nodes, links, node.inputs["Color"], colour, tint)
     return node.outputs[0]
 
 
-def material_of(brdfs, name):
-    material = bpy.data.materials.new(name)
+def material_of(surface):
+    brdf, texture = surface
+    material = bpy.data.materials.new("material")
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
+    tint = None
+    if texture is not None:
+        image = nodes.new("ShaderNodeTexImage")
+        image.image = bpy.data.images.load(str(texture))
+        tint = image.outputs["Color"]
     output = nodes.new("ShaderNodeOutputMaterial")
-    links.new(add_brdf(nodes, links, brdfs, name), output.inputs["Surface"])
+    links.new(add_brdf(nodes, links, brdf, tint), output.inputs["Surface"])
     return material
 
 
-def add_mesh(material, positions, normals, faces):
+def blender_mesh(source, materials):
     mesh = bpy.data.meshes.new("mesh")
-    mesh.from_pydata(positions, [], faces)
-    mesh.materials.append(material)
-    if normals:
-        mesh.polygons.foreach_set("use_smooth", [True] * len(faces))
+    mesh.from_pydata(source.positions, [], source.faces)
+    for material in materials:
+        mesh.materials.append(material)
+    mesh.polygons.foreach_set("material_index", source.surface_of_face)
+    if source.uvs:
+        corners = [corner for face in source.faces for corner in face]
+        mesh.uv_layers.new().data.foreach_set("uv", [x for corner in corners for x in source.uvs[corner]])
+    if source.normals:
+        mesh.polygons.foreach_set("use_smooth", [True] * len(source.faces))
         mesh.use_auto_smooth = True
-        mesh.normals_split_custom_set_from_vertices(normals)
+        mesh.normals_split_custom_set_from_vertices(source.normals)
     mesh.update()
-    placed = bpy.data.objects.new("mesh", mesh)
-    bpy.context.collection.objects.link(placed)
-    return placed
+    return mesh
+
+
+def add_meshes(placed_meshes):
+    """Adds an object per placed mesh; those of one mesh are its instances."""
+    materials, meshes = {}, {}
+    for source, matrix in placed_meshes:
+        if id(source) not in meshes:
+            for surface in source.surfaces:
+                if surface not in materials:
+                    materials[surface] = material_of(surface)
+            meshes[id(source)] = blender_mesh(source, [materials[surface] for surface in source.surfaces])
+        placed = bpy.data.objects.new("mesh", meshes[id(source)])
+        placed.matrix_world = matrix
+        bpy.context.collection.objects.link(placed)
 
 
 def add_light(radiance, corner, edge1, edge2):
-    corner, edge1, edge2 = Vector(corner), Vector(edge1), Vector(edge2)
     light = bpy.data.lights.new("light", "AREA")
     light.shape = "RECTANGLE"
     light.size, light.size_y = edge1.length, edge2.length
@@ -206,24 +311,31 @@ def add_light(radiance, corner, edge1, edge2):
 
 
 def add_visible_light(radiance, corner, edge1, edge2):
-    """Adds a quad that only the camera sees, since area lights are invisible to it in Cycles."""
+    """Adds a quad just behind an area light, since in Cycles those are invisible to the camera and occlude nothing:
+    it emits to the camera only, and is black for all other rays."""
     material = bpy.data.materials.new("light")
     material.use_nodes = True
     material.cycles.sample_as_light = False
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
-    emission, geometry = nodes.new("ShaderNodeEmission"), nodes.new("ShaderNodeNewGeometry")
+    emission, geometry, path = (
+        nodes.new("ShaderNode" + name) for name in ("Emission", "NewGeometry", "LightPath")
+    )
     emission.inputs["Color"].default_value = (*radiance, 1)
-    front = nodes.new("ShaderNodeMath")
-    front.operation = "SUBTRACT"
+    front, seen = nodes.new("ShaderNodeMath"), nodes.new("ShaderNodeMath")
+    front.operation, seen.operation = "SUBTRACT", "MULTIPLY"
     front.inputs[0].default_value = 1
     links.new(geometry.outputs["Backfacing"], front.inputs[1])
-    links.new(front.outputs[0], emission.inputs["Strength"])
+    links.new(front.outputs[0], seen.inputs[0])
+    links.new(path.outputs["Is Camera Ray"], seen.inputs[1])
+    links.new(seen.outputs[0], emission.inputs["Strength"])
     output = nodes.new("ShaderNodeOutputMaterial")
     links.new(emission.outputs[0], output.inputs["Surface"])
-    corners = [corner, corner + edge1, corner + edge1 + edge2, corner + edge2]
-    quad = add_mesh(material, corners, [], [(0, 1, 2, 3)])
-    quad.visible_diffuse = quad.visible_glossy = quad.visible_shadow = quad.visible_transmission = False
+    corner = corner - 1e-3 * edge1.length * edge1.cross(edge2).normalized()
+    quad = bpy.data.meshes.new("light")
+    quad.from_pydata([corner, corner + edge1, corner + edge1 + edge2, corner + edge2], [], [(0, 1, 2, 3)])
+    quad.materials.append(material)
+    bpy.context.collection.objects.link(bpy.data.objects.new("light", quad))
 
 
 def add_environment(path):
@@ -243,7 +355,7 @@ def add_camera(eye, target, field_of_view):
     camera.sensor_fit = "VERTICAL"
     camera.angle = math.radians(field_of_view)
     camera.clip_start, camera.clip_end = 1e-3, 1e5
-    eye, target = Vector(to_blender(eye)), Vector(to_blender(target))
+    eye, target = to_blender(eye), to_blender(target)
     placed = bpy.data.objects.new("camera", camera)
     placed.matrix_world = Matrix.Translation(eye) @ (target - eye).to_track_quat("-Z", "Y").to_matrix().to_4x4()
     bpy.context.collection.objects.link(placed)
@@ -287,9 +399,7 @@ def main(op_file, image, size, samples, seed, threads):
     bpy.context.scene.world = None
     set_up(options, int(size), int(samples), int(seed), int(threads))
     grf = GrfReader(path.parent / options["BPT_Scene"][0])
-    materials = {name: material_of(grf.brdfs, name) for name in grf.brdfs}
-    for brdf, positions, normals, faces in grf.meshes:
-        add_mesh(materials[brdf], positions, normals, faces)
+    add_meshes(grf.meshes)
     for light in grf.lights:
         add_light(*light)
     if "BPT_EM_Background" in options:

@@ -11,8 +11,9 @@
 #include <mutex>
 #include <vector>
 
-#include <dlfcn.h>
 #include <x86intrin.h>
+
+#include "tests/benchmarks/render/embree_queries.h"
 
 namespace {
 
@@ -87,19 +88,12 @@ Counter& counter_of_thread() {
   return counter;
 }
 
-template <class Function>
-Function* next(const char* name) {
-  void* found = dlsym(RTLD_NEXT, name);
-  if (found == nullptr) std::abort();
-  return reinterpret_cast<Function*>(found);
-}
-
-using Single = void(void* scene, void* context, void* ray);
-using Packet = void(const int* valid, void* scene, void* context, void* rays);
+using embree_queries::next;
+using embree_queries::Packet;
+using embree_queries::Single;
 
 }  // namespace
 
-// The signatures are Embree 3's with void in place of its types.
 // NOLINTBEGIN(readability-identifier-naming)
 #define SINGLE(NAME)                                                   \
   extern "C" void NAME(void* scene, void* context, void* ray) {        \

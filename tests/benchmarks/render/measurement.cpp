@@ -51,6 +51,7 @@ class SceneMeasurement {
       : scene_(scene), settings_(settings), say_(say), fingerprint_(fingerprint(scene.op.parent_path())) {
     fs::create_directories(settings.folder);
     for (const Renderer renderer : settings.renderers) {
+      if (renderer == Renderer::Cycles && !scene.is_in_cycles) continue;
       references_.push_back(reference(renderer));
       Measurement measurement;
       measurement.scene = scene.name;
@@ -131,6 +132,15 @@ class SceneMeasurement {
     if (!measurement.rays_per_second) {
       measurement.rays_per_second = outcome.embree->queries / measurement.seconds;
     }
+    if (measurement.renderer == Renderer::Bpt) record_rays(measurement);
+  }
+
+  void record_rays(Measurement& measurement) const {
+    Job recorded = job(measurement.renderer);
+    recorded.records_rays = true;
+    const Outcome outcome = render(measurement.renderer, recorded);
+    measurement.ray_kinds = outcome.ray_kinds;
+    measurement.counted_rays = outcome.rays;
   }
 
   const SceneFiles& scene_;

@@ -14,12 +14,12 @@ namespace benchmark {
 struct Settings {
   std::filesystem::path folder;  ///< for images; references are kept there for later runs
   std::vector<Renderer> renderers;
-  int size = 512;      ///< width and height, pixels
-  int samples = 64;    ///< per pixel; a reference has 64 times as many
-  int rounds = 3;      ///< each with its own seed, the renderers in turn
-  int threads = 2;     ///< at most one per core
-  bool fresh = false;  ///< renders existing references again
-  bool measures_embree = true;
+  int size = 512;               ///< width and height, pixels
+  int samples = 64;             ///< per pixel; a reference has 64 times as many
+  int rounds = 3;               ///< each with its own seed, the renderers in turn
+  int threads = 2;              ///< at most one per core
+  bool fresh = false;           ///< renders existing references again
+  bool measures_embree = true;  ///< its share of the time, and rays by kind
 };
 
 /// The measurement of one renderer on one scene.
@@ -33,13 +33,15 @@ struct Measurement {
   double paths_per_second = 0;
   std::optional<double> rays_per_second;
   std::optional<double> embree_share;           ///< fraction of the time of all threads, from a separate run
+  std::vector<RayKind> ray_kinds;               ///< of bpt, from a separate run; empty if unknown
+  std::optional<double> counted_rays;           ///< in that run, by the renderer itself
   reflectance::Rgb mean = reflectance::Rgb(0);  ///< of the reference's pixels
 
   double efficiency() const { return 1 / (relmse * seconds); }
 };
 
-/// Measures each renderer on a scene, and prints progress. The measurements are in the order of the
-/// renderers. Writes the references side by side as SCENE.png.
+/// Measures each renderer on a scene, Cycles only if it can make the scene, and prints progress. The
+/// measurements are in the order of the renderers. Writes the references side by side as SCENE.png.
 std::vector<Measurement> measure(const SceneFiles& scene, const Settings& settings,
                                  const std::function<void(const std::string&)>& say);
 

@@ -44,7 +44,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.add_option("--threads", settings.threads)->check(CLI::Range(1, 1024))->capture_default_str();
   app.add_flag("--cycles", arguments.cycles, "also measure Blender's Cycles, in turn with bpt");
   app.add_flag("--fresh", settings.fresh, "render the references again, after a change of what bpt computes");
-  app.add_flag("--without-embree-share", arguments.without_embree, "do not measure the time spent in Embree");
+  app.add_flag("--without-embree-share", arguments.without_embree,
+               "do not measure the time spent in Embree and the rays by kind");
   app.add_flag("--quick", arguments.quick, "tiny meshes, images and references: a smoke test");
 }
 

@@ -19,11 +19,27 @@ namespace fs = std::filesystem;
 constexpr const char* CyclesScene = GRANADA_SOURCE_DIR "/tests/benchmarks/render/cycles_scene.py";
 
 fs::path meter_file_of(const Job& job) { return job.image.string() + ".embree"; }
+fs::path rays_file_of(const Job& job) { return job.image.string() + ".rays"; }
+
+/// The numbers of BPT_Viewer in an OP file.
+std::string eye_of(const fs::path& op) {
+  std::ifstream file(op);
+  for (std::string line; std::getline(file, line);) {
+    std::smatch found;
+    if (std::regex_match(line, found, std::regex("BPT_Viewer +(.*)"))) return found[1];
+  }
+  throw std::runtime_error("no BPT_Viewer in " + op.string());
+}
 
 test::Outcome run(const Job& job, std::vector<std::string> command) {
   if (job.measures_embree) {
     command.insert(command.begin(), {"/usr/bin/env", "LD_PRELOAD=" EMBREE_METER,
                                      "EMBREE_METER=" + meter_file_of(job).string()});
+  }
+  if (job.records_rays) {
+    command.insert(command.begin(),
+                   {"/usr/bin/env", "LD_PRELOAD=" RAY_RECORDER, "RAY_RECORDER=" + rays_file_of(job).string(),
+                    "RAY_RECORDER_EYE=" + eye_of(job.op)});
   }
   auto outcome = test::run(command);
   if (outcome.exit_code != 0) {
@@ -44,6 +60,18 @@ EmbreeTime embree_time(const Job& job, double render_seconds) {
   return time;
 }
 
+std::vector<RayKind> ray_kinds(const Job& job) {
+  std::ifstream file(rays_file_of(job));
+  std::vector<RayKind> kinds;
+  RayKind kind;
+  for (double seconds = 0; file >> kind.name >> kind.rays >> seconds;) {
+    kind.embree_per_second = seconds > 0 ? kind.rays * job.threads / seconds : 0;
+    kinds.push_back(kind);
+  }
+  if (kinds.size() != 3) throw std::runtime_error("the ray recorder recorded no rays");
+  return kinds;
+}
+
 Outcome render_by_bpt(const Job& job) {
   const auto ran =
       run(job, {GRANADA_BIN_DIR "/bpt", "render", job.op.string(), "--output", job.image.string(), "--size",
@@ -52,7 +80,7 @@ Outcome render_by_bpt(const Job& job) {
   const auto summary = nlohmann::json::parse(ran.out);
   const double seconds = summary.at("render_seconds");
   const double rays_per_second = summary.at("rays_per_second");
-  return {seconds, summary.at("peak_memory_bytes"), rays_per_second * seconds, {}};
+  return {seconds, summary.at("peak_memory_bytes"), rays_per_second * seconds, {}, {}};
 }
 
 /// Returns the number that follows a text in a log.
@@ -70,7 +98,7 @@ Outcome render_by_cycles(const Job& job) {
                 CyclesScene, "--", job.op.string(), job.image.string(), std::to_string(job.size),
                 std::to_string(job.samples), std::to_string(job.seed), std::to_string(job.threads)});
   const std::string log = ran.out + ran.err;
-  return {number_after(log, "\n *Path Tracing "), number_after(log, "peak memory:"), {}, {}};
+  return {number_after(log, "\n *Path Tracing "), number_after(log, "peak memory:"), {}, {}, {}};
 }
 
 }  // namespace
@@ -80,6 +108,7 @@ std::string name_of(Renderer renderer) { return renderer == Renderer::Bpt ? "bpt
 Outcome render(Renderer renderer, const Job& job) {
   Outcome outcome = renderer == Renderer::Bpt ? render_by_bpt(job) : render_by_cycles(job);
   if (job.measures_embree) outcome.embree = embree_time(job, outcome.seconds);
+  if (job.records_rays) outcome.ray_kinds = ray_kinds(job);
   return outcome;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/transport/image/image.h"
 
@@ -21,7 +22,9 @@ struct Job {
   int samples = 0;              ///< per pixel
   std::uint32_t seed = 0;
   int threads = 0;
-  bool measures_embree = false;  ///< slower, so its seconds do not measure the renderer
+  // These are slower, so their seconds do not measure the renderer; one of them at most:
+  bool measures_embree = false;
+  bool records_rays = false;  ///< bpt only
 };
 
 /// The time that all threads spent in Embree.
@@ -31,11 +34,19 @@ struct EmbreeTime {
   double share = 0;  ///< fraction of the threads' time while the renderer traced paths
 };
 
+/// The rays of one kind in a render.
+struct RayKind {
+  std::string name;  ///< `camera`, `shadow` or `bounce`
+  double rays = 0;
+  double embree_per_second = 0;  ///< of all threads, replaying these rays back to back
+};
+
 struct Outcome {
   double seconds = 0;  ///< of tracing paths, without start-up and files
   double peak_memory_bytes = 0;
   std::optional<double> rays;        ///< if the renderer counts them
   std::optional<EmbreeTime> embree;  ///< if the job measures it
+  std::vector<RayKind> ray_kinds;    ///< if the job records them
 };
 
 /// Runs the renderer in its own process. Throws if it fails or its output is incomplete.

@@ -60,7 +60,7 @@ SceneFiles make_scene(const fs::path& own, const fs::path& source, const std::ve
     if (fs::exists(file)) fs::copy_file(file, own / (name + extension), fs::copy_options::overwrite_existing);
   }
   for (const Shape& shape : shapes) make_shape(own, shape, small);
-  return {own.filename().string(), own / (name + ".op")};
+  return {own.filename().string(), own / (name + ".op"), true};
 }
 
 fs::path source_of(const char* name) {
@@ -88,6 +88,7 @@ SceneFiles make_many_brdfs(const fs::path& folder, bool small) {
                  "torrance rough=0.18 nreal=1.98 nimag=3.74 ks=(0.16, 0.36, 0.8) kd=(0.01, 0.03, 0.1)", "-o",
                  (own / "blue_paint.binary").string()});
   if (exported.exit_code != 0) throw std::runtime_error("bpt brdf export: " + exported.err);
+  scene.is_in_cycles = false;
   return scene;
 }
 

@@ -9,6 +9,7 @@ namespace benchmark {
 struct SceneFiles {
   std::string name;          ///< as in reports and names of files
   std::filesystem::path op;  ///< the GRF scene is beside it
+  bool is_in_cycles = true;  ///< whether cycles_scene.py can make the same scene
 };
 
 /// Makes the benchmark's scenes in a folder: the Cornell box of samples/, those of scenes/ with their meshes,
