@@ -93,7 +93,8 @@ bool load_environment(const RenderOptions& render_options, transport::RenderSett
   }
   if (settings.integrator.environment) return true;
   auto map = transport::read_environment_map(path, diagnostics, location, read_scaled,
-                                             render_options.environment_rotation);
+                                             render_options.environment_rotation,
+                                             transport::EnvironmentMap::Weights::Compensated);
   if (!map) return false;
   settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(std::move(*map));
   return true;

@@ -45,6 +45,9 @@ std::vector<EnvironmentMap> hard_maps() {
   // 135 degrees are 24 of 64 columns, so that cells of the chi-square test are within a texel.
   maps.emplace_back(image_of(64, 32, [](int x, int y) { return x == 40 && y == 7 ? 1e30F : 0.0F; }), 135.0F);
   maps.emplace_back(sky(64, 32), 135.0F);
+  maps.emplace_back(sky(64, 32), 135.0F, EnvironmentMap::Weights::Compensated);
+  maps.emplace_back(image_of(8, 4, [](int, int) { return 3.0F; }), 0.0F,
+                    EnvironmentMap::Weights::Compensated);
   maps.emplace_back(sky(64, 32));
   return maps;
 }
@@ -107,6 +110,16 @@ TEST(EnvironmentMap, DensityIntegratesToOne) {
     }
     EXPECT_NEAR(sum, 1, 1e-5) << image.width << " x " << image.height;
   }
+}
+
+// The upper half has luminance 3, the lower 1, so the mean is 2: weights of 3 - 4/3, and of a hundredth of 1.
+TEST(EnvironmentMap, LeavesWhatIsBelowTheMeanToBrdfSampling) {
+  const EnvironmentMap map(image_of(4, 2, [](int, int y) { return y == 0 ? 3.0F : 1.0F; }), 0,
+                           EnvironmentMap::Weights::Compensated);
+  const double total = 2 * std::numbers::pi * (5.0 / 3 + 0.01);
+  EXPECT_NEAR(map.pdf(Vec3f(0.6F, 0.8F, 0)), 5.0 / 3 / total, 1e-6);
+  EXPECT_NEAR(map.pdf(Vec3f(0.6F, -0.8F, 0)), 0.01 / total, 1e-8);
+  EXPECT_NEAR(map.total(), 2 * std::numbers::pi * (3 + 1), 1e-5);
 }
 
 TEST(EnvironmentMap, SaysOfItsSamplesWhatItSaysOfTheirDirections) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/reflectance/albedo.h"
+#include "tests/transport/error_scenes.h"
 #include "tests/transport/scene_helpers.h"
 
 namespace {
@@ -24,7 +25,7 @@ std::shared_ptr<const EnvironmentMap> constant_map() {
 std::shared_ptr<const EnvironmentMap> sun_map(float sun) {
   Image image{64, 32, std::vector<Rgb>(64 * 32, Rgb(0.3F, 0.4F, 0.5F))};
   image.pixels[8 * 64 + 42] = Rgb(sun, sun, sun / 2);
-  return std::make_shared<EnvironmentMap>(std::move(image));
+  return std::make_shared<EnvironmentMap>(std::move(image), 0, EnvironmentMap::Weights::Compensated);
 }
 
 Film render(const CompiledScene& scene, const RenderSettings& settings) {
@@ -129,6 +130,23 @@ TEST(EnvironmentLight, IsSeenDirectlyAndInMirrors) {
     setup.target = Vec3f(0, 0, 0);
     for (const Rgb& pixel : render_in(scene, setup, map, way).mean().pixels) ASSERT_EQ(pixel, Rgb(4));
   }
+}
+
+// The same image by both weights; under a sun and a dim sky, compensation has less error.
+TEST(EnvironmentLight, HasLessErrorWithCompensation) {
+  test::SampleScene scene = test::sun_scene();
+  const Image image = scene.settings.integrator.environment->image();
+  scene.settings.samples = 256;
+  const auto rendered = [&](EnvironmentMap::Weights weights) {
+    scene.settings.integrator.environment = std::make_shared<const EnvironmentMap>(image, 0, weights);
+    transport::Render render(scene.scene, scene.settings);
+    render.run();
+    return std::pair(test::mean_radiance(render.film()), render.error_estimate()->error);
+  };
+  const auto [plain, error] = rendered(EnvironmentMap::Weights::Luminance);
+  const auto [compensated, less] = rendered(EnvironmentMap::Weights::Compensated);
+  EXPECT_NEAR(compensated.mean, plain.mean, 4 * std::hypot(compensated.deviation, plain.deviation));
+  EXPECT_LT(less, 0.9 * error);
 }
 
 TEST(EnvironmentLight, MayBeBlack) {

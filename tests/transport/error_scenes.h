@@ -31,7 +31,8 @@ inline SampleScene sun_scene() {
   setup.eye = transport::Vec3f(0, 2, 5);
   setup.width = 48;
   transport::RenderSettings settings = settings_of(setup);
-  settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(std::move(image));
+  settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(
+      std::move(image), 0, transport::EnvironmentMap::Weights::Compensated);
   return {"sun", scene_of(text), settings};
 }
 

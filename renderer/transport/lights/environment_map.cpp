@@ -20,6 +20,11 @@ using grf::Vec3f;
 using reflectance::luminance;
 using reflectance::Rgb;
 
+/// The part of the mean luminance that compensation removes from each texel's weight.
+constexpr double Compensation = 2.0 / 3;
+/// The part of a texel's luminance that remains at least.
+constexpr double LeastWeight = 0.01;
+
 /// Turns weights into a CDF, whose last value is 1, and returns their sum.
 double accumulate(std::span<const double> weights, float* shares) {
   double total = 0;
@@ -55,10 +60,10 @@ float place_between(float before, float above, float xi) { return (xi - before) 
 
 }  // namespace
 
-EnvironmentMap::EnvironmentMap(Image image, float rotation)
+EnvironmentMap::EnvironmentMap(Image image, float rotation, Weights weights)
     : image_(std::move(image)), longitude_(-std::remainder(double(rotation), 360) * std::numbers::pi / 180) {
   repair();
-  build();
+  build(weights);
 }
 
 void EnvironmentMap::repair() {
@@ -73,23 +78,37 @@ void EnvironmentMap::repair() {
   }
 }
 
-void EnvironmentMap::build() {
+double EnvironmentMap::solid_angle_of_texel(std::size_t row) const {
+  return 2 * std::numbers::pi / image_.width * (cosines_[row] - cosines_[row + 1]);
+}
+
+double EnvironmentMap::weight_of(const Rgb& radiance) const {
+  const double l = luminance(radiance);
+  return std::max(l - removed_, LeastWeight * l);
+}
+
+void EnvironmentMap::build(Weights weights) {
   const auto width = static_cast<std::size_t>(image_.width);
   const auto height = static_cast<std::size_t>(image_.height);
   for (std::size_t row = 0; row <= height; ++row) {
     cosines_.push_back(std::cos(std::numbers::pi * double(row) / double(height)));
   }
+  for (std::size_t row = 0; row < height; ++row) {
+    double sum = 0;
+    for (std::size_t x = 0; x < width; ++x) sum += double(luminance(image_.pixels[row * width + x]));
+    total_ += sum * solid_angle_of_texel(row);
+  }
+  if (weights == Weights::Compensated) removed_ = Compensation * total_ / (4 * std::numbers::pi);
   rows_.resize(height);
   lines_across_ = (width + Line::Size - 1) / Line::Size;
   columns_.resize(lines_across_ * height);
   line_ends_.resize(columns_.size());
-  std::vector<double> luminances(lines_across_ * Line::Size);
-  std::vector<float> shares(luminances.size());
+  std::vector<double> row_weights(lines_across_ * Line::Size);
+  std::vector<float> shares(row_weights.size());
   std::vector<double> row_sums(height);
   for (std::size_t row = 0; row < height; ++row) {
-    const double solid_angle = 2 * std::numbers::pi / double(width) * (cosines_[row] - cosines_[row + 1]);
-    for (std::size_t x = 0; x < width; ++x) luminances[x] = luminance(image_.pixels[row * width + x]);
-    row_sums[row] = accumulate(luminances, shares.data()) * solid_angle;
+    for (std::size_t x = 0; x < width; ++x) row_weights[x] = weight_of(image_.pixels[row * width + x]);
+    row_sums[row] = accumulate(row_weights, shares.data()) * solid_angle_of_texel(row);
     for (std::size_t i = 0; i < lines_across_; ++i) {
       Line& line = columns_[row * lines_across_ + i];
       std::copy_n(shares.begin() + static_cast<std::ptrdiff_t>(i * Line::Size), Line::Size,
@@ -97,7 +116,7 @@ void EnvironmentMap::build() {
       line_ends_[row * lines_across_ + i] = line.shares.back();
     }
   }
-  total_ = accumulate(row_sums, rows_.data());
+  total_weight_ = accumulate(row_sums, rows_.data());
   if (!is_black()) warps_ = CosineWarps([this](const Vec2f& xi) { return sample(xi)->direction; });
 }
 
@@ -194,13 +213,13 @@ std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec2f& xi) const {
     direction = direction_in(row, column, Vec2f(0.5F));
   }
   const Rgb& radiance = image_.pixels[texel];
-  return EnvironmentSample{direction, radiance, static_cast<float>(luminance(radiance) / total_)};
+  return EnvironmentSample{direction, radiance, pdf_of(radiance)};
 }
 
 float EnvironmentMap::pdf(const Vec3f& direction) const { return pdf_of(radiance(direction)); }
 
 float EnvironmentMap::pdf_of(const Rgb& radiance) const {
-  return is_black() ? 0 : static_cast<float>(luminance(radiance) / total_);
+  return is_black() ? 0 : static_cast<float>(weight_of(radiance) / total_weight_);
 }
 
 std::optional<EnvironmentSample> EnvironmentMap::sample(const Vec3f& normal, const Vec2f& xi) const {
@@ -216,15 +235,16 @@ EnvironmentMap::RadianceAndPdf EnvironmentMap::radiance_and_pdf(const Vec3f& nor
   const Place place = place_of(direction);
   const Rgb& radiance = image_.pixels[place.row * static_cast<std::size_t>(image_.width) + place.column];
   if (is_black()) return {radiance, 0};
-  return {radiance, static_cast<float>(luminance(radiance) / total_) * warps_.pdf(normal, pair_of(place))};
+  return {radiance, pdf_of(radiance) * warps_.pdf(normal, pair_of(place))};
 }
 
 std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,
                                                    const grf::SourceLocation& asked_for_at,
-                                                   const ImageReader& image_reader, float rotation) {
+                                                   const ImageReader& image_reader, float rotation,
+                                                   EnvironmentMap::Weights weights) {
   auto image = image_reader(path, diagnostics, asked_for_at);
   if (!image) return std::nullopt;
-  EnvironmentMap map(std::move(*image), rotation);
+  EnvironmentMap map(std::move(*image), rotation, weights);
   if (map.invalid_texels() > 0) {
     diagnostics.warning(asked_for_at.file ? asked_for_at : grf::whole_file(path),
                         fmt::format("{} of {} of the environment map {} as 0 there", map.invalid_texels(),

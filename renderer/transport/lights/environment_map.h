@@ -22,15 +22,25 @@ struct EnvironmentSample {
 /// An environment map in latitude-longitude format: y is up, the centre looks down -z, and +x is right of it,
 /// unless it is rotated.
 ///
-/// Texels are constant over their rectangles of directions: without interpolation, the pdf can be exactly
-/// proportional to luminance, and over 0 wherever there is light. Rows are sampled by a marginal and columns
-/// by a conditional distribution of luminance times solid angle, and directions uniformly over the texel's
-/// solid angle: sin(theta) is not taken at the texel's centre, which would add noise at the poles.
+/// Texels are constant over their rectangles of directions: without interpolation, the pdf can be an exact
+/// function of luminance, and over 0 wherever there is light. Rows are sampled by a marginal and columns by a
+/// conditional distribution of the texels' weights times solid angle, and directions uniformly over the
+/// texel's solid angle: sin(theta) is not taken at the texel's centre, which would add noise at the poles.
 class EnvironmentMap {
  public:
+  /// The weights by which directions are sampled.
+  enum class Weights {
+    Luminance,
+    /// MIS compensation (Karlik, Sik, Vevoda, Skrivan and Krivanek 2019, "MIS compensation: optimizing
+    /// sampling techniques in multiple importance sampling"): what exceeds two thirds of the mean luminance.
+    /// The rest is found by BRDF sampling, of which a path has two directions for each light sample. At least
+    /// a hundredth of the luminance remains, so that no light is lost where a BRDF's sampler never goes.
+    Compensated
+  };
+
   /// Channels of texels that are negative or not finite count as 0. The map is rotated about the y axis by an
   /// angle in degrees, counter-clockwise seen from above.
-  explicit EnvironmentMap(Image image, float rotation = 0);
+  explicit EnvironmentMap(Image image, float rotation = 0, Weights weights = Weights::Luminance);
 
   reflectance::Rgb radiance(const grf::Vec3f& direction) const { return image_.pixels[texel_at(direction)]; }
 
@@ -85,13 +95,17 @@ class EnvironmentMap {
   grf::Vec3f direction_in(std::size_t row, std::size_t column, const grf::Vec2f& place) const;
   bool is_near_border(std::size_t row, const grf::Vec2f& place) const;
   void repair();
-  void build();
+  double solid_angle_of_texel(std::size_t row) const;
+  double weight_of(const reflectance::Rgb& radiance) const;
+  void build(Weights weights);
   void prefetch(std::size_t row, std::size_t line) const;
 
   Image image_;
   double longitude_;  ///< of the image's centre, radians, -pi to pi, from -z towards +x
   std::size_t invalid_texels_ = 0;
   double total_ = 0;         ///< luminance integrated over the sphere
+  double removed_ = 0;       ///< from the luminance of each texel, for its weight
+  double total_weight_ = 0;  ///< weights integrated over the sphere
   std::vector<float> rows_;  ///< marginal CDF of the rows, up to and including each
   /// Conditional CDFs of the columns, row after row; all 1 in a black row, and past the end of a row.
   std::vector<Line> columns_;
@@ -103,9 +117,9 @@ class EnvironmentMap {
 };
 
 /// Reads an environment map, rotated by degrees about the y axis, and warns of texels that count as 0.
-std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,
-                                                   const grf::SourceLocation& asked_for_at = {},
-                                                   const ImageReader& image_reader = read_image,
-                                                   float rotation = 0);
+std::optional<EnvironmentMap> read_environment_map(
+    const std::string& path, grf::Diagnostics& diagnostics, const grf::SourceLocation& asked_for_at = {},
+    const ImageReader& image_reader = read_image, float rotation = 0,
+    EnvironmentMap::Weights weights = EnvironmentMap::Weights::Luminance);
 
 }  // namespace transport
