@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -14,10 +13,13 @@
 #include "grf/read.h"
 #include "grf/write.h"
 #include "renderer/transport/image/image_file.h"
+#include "samples/shapes/scene_text.h"
 
 namespace {
 
-using Imath::V3d;
+using shape::MeshText;
+using shape::Random;
+using shape::V3d;
 
 constexpr double Pi = std::numbers::pi;
 
@@ -26,62 +28,37 @@ V3d towards(double angle) { return {std::cos(angle), 0, std::sin(angle)}; }
 
 constexpr V3d Up = {0, 1, 0};
 
-/// Numbers in a range: the standard's distributions differ from library to library. Each call is a statement
-/// of its own, since the order of the parts of an expression differs from compiler to compiler.
-class Random {
- public:
-  explicit Random(std::uint32_t seed) : engine_(seed) {}
-  double operator()(double from, double to) {
-    return from + (to - from) * static_cast<double>(engine_()) / 4294967296.0;
-  }
-  /// About evenly over a disc's area where it begins at 0.
-  V3d horizontal(double nearest, double farthest) {
-    const double share = std::sqrt((*this)(0, 1));
-    return towards((*this)(0, 2 * Pi)) * (nearest + (farthest - nearest) * share);
-  }
-  V3d in_cube() {
-    const double x = (*this)(-1, 1);
-    const double y = (*this)(-1, 1);
-    return {x, y, (*this)(-1, 1)};
-  }
-
- private:
-  std::mt19937 engine_;
-};
-
-/// As it stands in the file: thousandths, and no negative zero.
-std::string text_of(const V3d& v) {
-  const auto round = [](double x) { return std::round(x * 1000) / 1000 + 0.0; };
-  return fmt::format("({:g}, {:g}, {:g})", round(v.x), round(v.y), round(v.z));
+/// About evenly over a disc's area where it begins at 0.
+V3d horizontal(Random& random, double nearest, double farthest) {
+  const double share = std::sqrt(random(0, 1));
+  return towards(random(0, 2 * Pi)) * (nearest + (farthest - nearest) * share);
 }
 
-/// A mesh whose vertices have colours.
-class Plant {
- public:
-  int add(const V3d& position, const V3d& colour) {
-    vertices_ += "rgb " + text_of(colour) + " " + text_of(position) + "\n";
-    return count_++;
-  }
-  void add_face(const std::vector<int>& corners) {
-    faces_ += fmt::format("({})\n", fmt::join(corners, ", "));
-  }
-  std::string definition(const std::string& name) const {
-    return "def " + name + " = begin mesh brdf leaf begin vertexs\n" + vertices_ +
-           "end vertexs begin faces\n" + faces_ + "end faces end mesh\n";
-  }
+V3d in_cube(Random& random) {
+  const double x = random(-1, 1);
+  const double y = random(-1, 1);
+  return {x, y, random(-1, 1)};
+}
 
- private:
-  std::string vertices_, faces_;
-  int count_ = 0;
+constexpr double Thousandths = 1000;
+
+std::string text_of(const V3d& v) { return shape::text_of(v, Thousandths); }
+
+/// A mesh whose vertices have colours.
+class Plant : public MeshText {
+ public:
+  Plant() : MeshText(Thousandths) {}
+  int add(const V3d& position, const V3d& colour) { return add_vertex(position, "rgb " + text_of(colour)); }
+  std::string definition(const std::string& name) const { return "def " + name + " = " + block("brdf leaf"); }
 };
 
 Plant tuft() {
   Random random(1);
   Plant plant;
   for (int i = 0; i < 34; ++i) {
-    const V3d root = random.horizontal(0, 0.26);
-    const V3d lean = random.horizontal(0.03, 0.16);
-    const V3d side = random.horizontal(0.008, 0.014);
+    const V3d root = horizontal(random, 0, 0.26);
+    const V3d lean = horizontal(random, 0.03, 0.16);
+    const V3d side = horizontal(random, 0.008, 0.014);
     const double height = random(0.13, 0.34);
     const double dry = random(0, 1);
     const V3d low(0.03, 0.07, 0.015);
@@ -160,10 +137,10 @@ Plant box_tree() {
     const double y = 1 - 2 * (i + 0.5) / Leaves;
     const V3d out = (towards(i * 2.399963) * std::sqrt(1 - y * y) + Up * y).normalized();
     const V3d centre = out * random(0.86, 1);
-    const V3d tilt = random.in_cube();
+    const V3d tilt = in_cube(random);
     const double length = random(0.05, 0.085);
     const V3d along = (out * 0.5 + tilt).normalized() * length;
-    const V3d across = along.cross(random.in_cube()).normalized() * 0.036;
+    const V3d across = along.cross(in_cube(random)).normalized() * 0.036;
     const double young = random(0, 1);
     const V3d base = V3d(0.03, 0.08, 0.02);
     const V3d tip = V3d(0.1, 0.24, 0.04) * (1 - young) + V3d(0.26, 0.4, 0.08) * young;
@@ -191,7 +168,7 @@ std::string pot() {
                                                               {0.86, 1.3},
                                                               {0.8, 1.1}}};
   constexpr int Sides = 48;
-  std::string text = "begin mesh \"pot\" brdf glaze begin vertexs\n";
+  MeshText mesh(Thousandths);
   for (int i = 0; i <= Sides; ++i) {
     for (std::size_t k = 0; k < Profile.size(); ++k) {
       const V3d position = towards(-2 * Pi * i / Sides) * Profile[k][0] + Up * Profile[k][1];
@@ -199,28 +176,31 @@ std::string pot() {
       const auto& after = Profile[std::min(k + 1, Profile.size() - 1)];
       const V3d normal =
           (towards(-2 * Pi * i / Sides) * (after[1] - before[1]) - Up * (after[0] - before[0]));
-      text += "normal " + text_of(normal.normalized()) + " " + text_of(position) + "\n";
+      mesh.add_vertex(position, "normal " + text_of(normal.normalized()));
     }
   }
-  text += "end vertexs begin faces\n";
   const int rows = static_cast<int>(Profile.size());
   for (int i = 0; i < Sides; ++i) {
     for (int k = 0; k + 1 < rows; ++k) {
       const int at = i * rows + k;
-      text += fmt::format("({}, {}, {}, {})\n", at, at + rows, at + rows + 1, at + 1);
+      mesh.add_face({at, at + rows, at + rows + 1, at + 1});
     }
   }
-  return text + "end faces end mesh\n";
+  return mesh.block("\"pot\" brdf glaze");
 }
 
 std::string quad(const std::string& attributes, double left, double back, double right, double front,
                  double y, double repeats) {
-  const auto corner = [&](double x, double z) {
-    return fmt::format("uv ({:g}, {:g}) {}\n", x * repeats, -z * repeats, text_of({x, y, z}));
+  MeshText mesh(Thousandths);
+  const auto add_corner = [&](double x, double z) {
+    mesh.add_vertex({x, y, z}, fmt::format("uv ({:g}, {:g})", x * repeats, -z * repeats));
   };
-  return "begin mesh " + attributes + " begin vertexs\n" + corner(left, front) + corner(right, front) +
-         corner(right, back) + corner(left, back) +
-         "end vertexs begin faces (0, 1, 2, 3) end faces end mesh\n";
+  add_corner(left, front);
+  add_corner(right, front);
+  add_corner(right, back);
+  add_corner(left, back);
+  mesh.add_face({0, 1, 2, 3});
+  return mesh.block(attributes);
 }
 
 std::string use(const std::string& name, double scale, double turn, const V3d& place) {

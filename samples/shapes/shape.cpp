@@ -5,10 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "samples/shapes/scene_text.h"
+
 namespace shape {
 namespace {
 
-constexpr double TwoPi = 2 * std::numbers::pi;
 constexpr double Step = 1e-5;
 
 V3d normal_at(const Surface& surface, double along, double around) {

@@ -3,11 +3,17 @@
 
 #include <fmt/format.h>
 
+#include "samples/shapes/scene_text.h"
 #include "tests/benchmarks/render/generated_scenes.h"
-#include "tests/benchmarks/render/scene_text.h"
 
 namespace benchmark {
 namespace {
+
+using shape::MeshText;
+using shape::Random;
+using shape::text_of;
+using shape::TwoPi;
+using shape::V3d;
 
 constexpr double Spacing = 3.2;  // of trees, m
 

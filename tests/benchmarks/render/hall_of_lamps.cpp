@@ -2,11 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "samples/shapes/scene_text.h"
 #include "tests/benchmarks/render/generated_scenes.h"
-#include "tests/benchmarks/render/scene_text.h"
 
 namespace benchmark {
 namespace {
+
+using shape::MeshText;
+using shape::Random;
+using shape::text_of;
+using shape::TwoPi;
+using shape::V3d;
 
 constexpr double Half = 8;  // of the hall's width and length, m
 constexpr double Height = 4;

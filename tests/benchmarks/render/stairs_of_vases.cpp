@@ -4,11 +4,17 @@
 
 #include <fmt/format.h>
 
+#include "samples/shapes/scene_text.h"
 #include "tests/benchmarks/render/generated_scenes.h"
-#include "tests/benchmarks/render/scene_text.h"
 
 namespace benchmark {
 namespace {
+
+using shape::MeshText;
+using shape::Random;
+using shape::text_of;
+using shape::TwoPi;
+using shape::V3d;
 
 constexpr int PerStep = 7;
 

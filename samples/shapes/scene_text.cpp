@@ -1,19 +1,19 @@
-#include "tests/benchmarks/render/scene_text.h"
+#include "samples/shapes/scene_text.h"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-namespace benchmark {
+namespace shape {
 
-std::string text_of(const V3d& v) {
-  const auto round = [](double x) { return std::round(x * 1e4) / 1e4 + 0.0; };  // no negative zero
+std::string text_of(const V3d& v, double parts) {
+  const auto round = [parts](double x) { return std::round(x * parts) / parts + 0.0; };  // no negative zero
   return fmt::format("({:g}, {:g}, {:g})", round(v.x), round(v.y), round(v.z));
 }
 
 int MeshText::add_vertex(const V3d& position, const std::string& attributes) {
   if (!attributes.empty()) vertices_ += attributes + " ";
-  vertices_ += text_of(position) + "\n";
+  vertices_ += text_of(position, parts_) + "\n";
   return count_++;
 }
 
@@ -47,4 +47,4 @@ std::string MeshText::block(const std::string& attributes) const {
          "end faces end mesh\n";
 }
 
-}  // namespace benchmark
+}  // namespace shape

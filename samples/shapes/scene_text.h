@@ -1,3 +1,4 @@
+// The text of scenes that programs make, the same on every machine.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 
 #include <ImathVec.h>
 
-namespace benchmark {
+namespace shape {
 
 using Imath::V3d;
 
@@ -27,12 +28,16 @@ class Random {
   std::mt19937 engine_;
 };
 
-/// A vector in GRF, rounded to 1e-4 so that the text does not depend on the mathematical library.
-std::string text_of(const V3d& v);
+/// Returns a vector in GRF, rounded to parts of 1 so that the text does not depend on the mathematical
+/// library.
+std::string text_of(const V3d& v, double parts = 1e4);
 
 /// The vertices and faces of a mesh in GRF, from the attributes before each position.
 class MeshText {
  public:
+  /// Positions are rounded to these parts of 1.
+  explicit MeshText(double parts = 1e4) : parts_(parts) {}
+
   /// Adds a vertex and returns its index. `attributes` are a normal, a colour or uv in GRF, or empty.
   int add_vertex(const V3d& position, const std::string& attributes = {});
   /// Faces are seen from the side on which their corners are counter-clockwise.
@@ -48,8 +53,9 @@ class MeshText {
   std::string block(const std::string& attributes) const;
 
  private:
+  double parts_;
   std::string vertices_, faces_;
   int count_ = 0;
 };
 
-}  // namespace benchmark
+}  // namespace shape
