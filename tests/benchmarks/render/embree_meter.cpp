@@ -8,14 +8,17 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <mutex>
-#include <vector>
 
 #include <x86intrin.h>
 
 #include "tests/benchmarks/render/embree_queries.h"
 
 namespace {
+
+using embree_queries::next;
+using embree_queries::Packet;
+using embree_queries::PerThread;
+using embree_queries::Single;
 
 /// Counters of one thread, on cache lines of their own.
 struct alignas(128) Counter {
@@ -43,12 +46,7 @@ class Meter {
   Meter& operator=(const Meter&) = delete;
   ~Meter() { write(); }
 
-  Counter& new_counter() {
-    const std::lock_guard lock(mutex_);
-    // Never freed: threads may outlive the meter.
-    counters_.push_back(new Counter());  // NOLINT(cppcoreguidelines-owning-memory)
-    return *counters_.back();
-  }
+  Counter& new_counter() { return counters_.add(); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -67,17 +65,16 @@ class Meter {
     const double cost_inside = static_cast<double>(nothing.ticks) / Empty;
     double queries = 0;
     double ticks = 0;
-    for (const Counter* counter : counters_) {
-      queries += static_cast<double>(counter->queries);
-      ticks += static_cast<double>(counter->ticks);
-    }
+    counters_.for_each([&](const Counter& counter) {
+      queries += static_cast<double>(counter.queries);
+      ticks += static_cast<double>(counter.ticks);
+    });
     std::fprintf(file, "%.0f %.9g %.9g\n", queries, (ticks - queries * cost_inside) / ticks_per_second,
                  cost / ticks_per_second);
     std::fclose(file);
   }
 
-  std::mutex mutex_;
-  std::vector<Counter*> counters_;
+  PerThread<Counter> counters_;
   Clock::time_point start_;
   std::uint64_t start_ticks_;
 };
@@ -87,10 +84,6 @@ Counter& counter_of_thread() {
   thread_local Counter& counter = meter.new_counter();
   return counter;
 }
-
-using embree_queries::next;
-using embree_queries::Packet;
-using embree_queries::Single;
 
 }  // namespace
 

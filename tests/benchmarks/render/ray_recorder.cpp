@@ -18,7 +18,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <mutex>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -29,6 +28,7 @@ namespace {
 
 using embree_queries::next;
 using embree_queries::Packet;
+using embree_queries::PerThread;
 using embree_queries::Single;
 
 constexpr std::size_t Batch = 4096;       // rays; below 1 MB, so that they come from the L2 cache
@@ -185,36 +185,28 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
   ~Recorder() { write(); }
 
-  Recording& new_recording() {
-    const std::lock_guard lock(mutex_);
-    // Never freed: threads may outlive the recorder.
-    recordings_.push_back(new Recording());  // NOLINT(cppcoreguidelines-owning-memory)
-    return *recordings_.back();
-  }
-
+  Recording& new_recording() { return recordings_.add(); }
   void replay() {
-    const std::lock_guard lock(mutex_);
-    for (Recording* recording : recordings_) recording->replay();
+    recordings_.for_each([](Recording& recording) { recording.replay(); });
   }
 
  private:
-  void write() const {
+  void write() {
     const char* path = std::getenv("RAY_RECORDER");
     std::FILE* file = path != nullptr ? std::fopen(path, "w") : nullptr;
     if (file == nullptr) return;
     for (const Kind kind : {Camera, Shadow, Bounce}) {
       Sum all;
-      for (const Recording* recording : recordings_) {
-        all.rays += recording->sum(kind).rays;
-        all.seconds += recording->sum(kind).seconds;
-      }
+      recordings_.for_each([&](const Recording& recording) {
+        all.rays += recording.sum(kind).rays;
+        all.seconds += recording.sum(kind).seconds;
+      });
       std::fprintf(file, "%s %.0f %.9g\n", KindNames[kind], static_cast<double>(all.rays), all.seconds);
     }
     std::fclose(file);
   }
 
-  std::mutex mutex_;
-  std::vector<Recording*> recordings_;
+  PerThread<Recording> recordings_;
 };
 
 Recorder& recorder() {
