@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "renderer/options/op_file.h"
 #include "tests/support/paths.h"
 #include "tests/support/run.h"
 
@@ -21,14 +22,13 @@ constexpr const char* CyclesScene = GRANADA_SOURCE_DIR "/tests/benchmarks/render
 fs::path meter_file_of(const Job& job) { return job.image.string() + ".embree"; }
 fs::path rays_file_of(const Job& job) { return job.image.string() + ".rays"; }
 
-/// The numbers of BPT_Viewer in an OP file.
+/// The eye of an OP file, as three numbers.
 std::string eye_of(const fs::path& op) {
-  std::ifstream file(op);
-  for (std::string line; std::getline(file, line);) {
-    std::smatch found;
-    if (std::regex_match(line, found, std::regex("BPT_Viewer +(.*)"))) return found[1];
-  }
-  throw std::runtime_error("no BPT_Viewer in " + op.string());
+  grf::Diagnostics diagnostics;
+  const auto read = options::read_op_file(op.string(), diagnostics);
+  if (!read || !read->eye)
+    throw std::runtime_error(op.string() + ": no BPT_Viewer\n" + diagnostics.to_text());
+  return fmt::format("{} {} {}", read->eye->x, read->eye->y, read->eye->z);
 }
 
 test::Outcome run(const Job& job, std::vector<std::string> command) {
