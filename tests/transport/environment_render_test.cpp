@@ -25,7 +25,7 @@ std::shared_ptr<const EnvironmentMap> constant_map() {
 std::shared_ptr<const EnvironmentMap> sun_map(float sun) {
   Image image{64, 32, std::vector<Rgb>(64 * 32, Rgb(0.3F, 0.4F, 0.5F))};
   image.pixels[8 * 64 + 42] = Rgb(sun, sun, sun / 2);
-  return std::make_shared<EnvironmentMap>(std::move(image), 0, EnvironmentMap::Weights::Compensated);
+  return test::environment_of(std::move(image));
 }
 
 Film render(const CompiledScene& scene, const RenderSettings& settings) {

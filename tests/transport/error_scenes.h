@@ -31,8 +31,7 @@ inline SampleScene sun_scene() {
   setup.eye = transport::Vec3f(0, 2, 5);
   setup.width = 48;
   transport::RenderSettings settings = settings_of(setup);
-  settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(
-      std::move(image), 0, transport::EnvironmentMap::Weights::Compensated);
+  settings.integrator.environment = environment_of(std::move(image));
   return {"sun", scene_of(text), settings};
 }
 

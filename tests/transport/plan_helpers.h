@@ -83,8 +83,7 @@ class PlannedScene {
   static std::shared_ptr<const transport::EnvironmentMap> map_of(float radiance) {
     transport::Image image{8, 4, std::vector<transport::Rgb>(32, transport::Rgb(0))};
     std::fill_n(image.pixels.begin(), 16, transport::Rgb(radiance));
-    return std::make_shared<const transport::EnvironmentMap>(std::move(image), 0,
-                                                             transport::EnvironmentMap::Weights::Compensated);
+    return environment_of(std::move(image));
   }
 
   transport::PlanSettings plan_settings_of(const PlannedRender& setup) const {

@@ -35,7 +35,7 @@ std::shared_ptr<const EnvironmentMap> with_dim_sun(const EnvironmentMap& map) {
   for (transport::Rgb& texel : image.pixels) {
     for (int k = 0; k < 3; ++k) texel[k] = std::min(texel[k], Brightest);
   }
-  return std::make_shared<const EnvironmentMap>(std::move(image), 0, EnvironmentMap::Weights::Compensated);
+  return test::environment_of(std::move(image));
 }
 
 class SampleScenes : public testing::TestWithParam<std::string> {

@@ -2,14 +2,17 @@
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "grf/check.h"
 #include "grf/read.h"
 #include "renderer/reflectance/scheme.h"
+#include "renderer/transport/lights/environment_map.h"
 #include "renderer/transport/render.h"
 
 namespace test {
@@ -116,6 +119,12 @@ inline transport::RenderSettings settings_of(const RenderSetup& setup) {
   settings.seed = setup.seed;
   settings.threads = setup.threads;
   return settings;
+}
+
+/// Returns the map of an image with the weights of the renderer's job.
+inline std::shared_ptr<const transport::EnvironmentMap> environment_of(transport::Image image) {
+  return std::make_shared<const transport::EnvironmentMap>(std::move(image), 0.0F,
+                                                           transport::EnvironmentMap::Weights::Compensated);
 }
 
 /// A floor under a light whose radiance differs per channel.
