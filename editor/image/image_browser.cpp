@@ -199,7 +199,7 @@ void ImageBrowser::save_as(const QString& path) {
   if (!image_.image) return;
   const float exposure = controls().settings().exposure;
   grf::Diagnostics ignored_diagnostics;  // writing reports it again
-  const transport::ImageFormat* format = transport::image_format_of(path.toStdString(), ignored_diagnostics);
+  const image::ImageFormat* format = image::image_format_of(path.toStdString(), ignored_diagnostics);
   const bool is_linear = format == nullptr || format->is_linear;
   ScreenSettings settings;
   if (analysis_.image == image_.image) fit_range(image_, analysis_.statistics, settings);

@@ -9,19 +9,19 @@ LoadedImage load_image(const QString& path) {
   loaded.path = path;
   auto file = ImageProcess().read_file(path.toStdString(), loaded.diagnostics);
   if (!file) return loaded;
-  loaded.image = std::make_shared<const transport::Image>(std::move(file->image));
+  loaded.image = std::make_shared<const image::Image>(std::move(file->image));
   if (file->layers.empty()) return loaded;
-  loaded.layers = std::make_shared<const std::vector<transport::ImageLayer>>(std::move(file->layers));
+  loaded.layers = std::make_shared<const std::vector<image::ImageLayer>>(std::move(file->layers));
   return loaded;
 }
 
 SavedImage save_image(const ImageEntry& entry, float exposure, const QString& path) {
   SavedImage saved;
   saved.path = path;
-  transport::ImageFile file{*entry.image};
+  image::ImageFile file{*entry.image};
   if (entry.layers) file.layers = *entry.layers;
   file.exposure = exposure;
-  saved.is_written = transport::write_image(file, path.toStdString(), saved.diagnostics);
+  saved.is_written = image::write_image(file, path.toStdString(), saved.diagnostics);
   return saved;
 }
 
@@ -34,9 +34,9 @@ ImageAnalysis analysis_of(const SharedImage& image, const SharedImage& reference
   if (!image) return analysis;
   analysis.statistics = statistics_of(*image);
   if (!reference || reference->width != image->width || reference->height != image->height) return analysis;
-  analysis.error = transport::error_of(*image, *reference);
+  analysis.error = image::error_of(*image, *reference);
   if (!kind) return analysis;
-  analysis.difference = std::make_shared<const transport::Image>(difference_of(*image, *reference, *kind));
+  analysis.difference = std::make_shared<const image::Image>(difference_of(*image, *reference, *kind));
   analysis.difference_statistics = statistics_of(*analysis.difference);
   return analysis;
 }

@@ -8,14 +8,14 @@
 
 #include "editor/image/image_statistics.h"
 #include "grf/diagnostics.h"
-#include "renderer/transport/image/image.h"
-#include "renderer/transport/image/image_error.h"
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image.h"
+#include "renderer/image/image_error.h"
+#include "renderer/image/image_file.h"
 
 namespace editor {
 
-using SharedImage = std::shared_ptr<const transport::Image>;
-using SharedLayers = std::shared_ptr<const std::vector<transport::ImageLayer>>;
+using SharedImage = std::shared_ptr<const image::Image>;
+using SharedLayers = std::shared_ptr<const std::vector<image::ImageLayer>>;
 
 struct ImageEntry {
   QString name;  ///< display name
@@ -48,7 +48,7 @@ struct ImageAnalysis {
   SharedImage reference;
   std::optional<Difference> kind;
   ImageStatistics statistics;
-  std::optional<transport::ImageError> error;
+  std::optional<image::ImageError> error;
   SharedImage difference;                 ///< if a kind of difference was requested
   ImageStatistics difference_statistics;  ///< of the difference
 };

@@ -57,7 +57,7 @@ void ImageSelection::swap() {
 QStringList ImageSelection::layers() const {
   QStringList names;
   if (!image().layers) return names;
-  for (const transport::ImageLayer& layer : *image().layers) names << text_of(layer.name);
+  for (const image::ImageLayer& layer : *image().layers) names << text_of(layer.name);
   return names;
 }
 
@@ -69,9 +69,9 @@ QString ImageSelection::name_of(const QString& path) const {
   return same.image && same.path != path ? path : name;
 }
 
-const transport::ImageLayer* find_layer(const ImageEntry& entry, const QString& name) {
+const image::ImageLayer* find_layer(const ImageEntry& entry, const QString& name) {
   if (!entry.layers) return nullptr;
-  const auto found = std::ranges::find(*entry.layers, name.toStdString(), &transport::ImageLayer::name);
+  const auto found = std::ranges::find(*entry.layers, name.toStdString(), &image::ImageLayer::name);
   return found == entry.layers->end() ? nullptr : &*found;
 }
 

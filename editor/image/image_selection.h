@@ -44,6 +44,6 @@ class ImageSelection {
 };
 
 /// The layer of an image with this name; null if it has none.
-const transport::ImageLayer* find_layer(const ImageEntry& entry, const QString& name);
+const image::ImageLayer* find_layer(const ImageEntry& entry, const QString& name);
 
 }  // namespace editor

@@ -88,19 +88,19 @@ void ImageServer::apply(const transport::CloseImagePacket& packet) {
 
 void ImageServer::apply(const transport::CreateImagePacket& packet) {
   const auto pixels = static_cast<std::size_t>(packet.width) * static_cast<std::size_t>(packet.height);
-  images_[text_of(packet.name)] = std::make_shared<transport::Image>(
-      transport::Image{packet.width, packet.height, std::vector<transport::Rgb>(pixels, transport::Rgb(0))});
+  images_[text_of(packet.name)] = std::make_shared<image::Image>(
+      image::Image{packet.width, packet.height, std::vector<transport::Rgb>(pixels, transport::Rgb(0))});
   changed_.insert(text_of(packet.name));
 }
 
 void ImageServer::apply(const transport::UpdateImagePacket& packet) {
   const auto found = images_.find(text_of(packet.name));
   if (found == images_.end()) return;
-  std::shared_ptr<transport::Image>& image = found->second;
+  std::shared_ptr<image::Image>& image = found->second;
   const transport::TileBounds& bounds = packet.bounds;
   if (bounds.x > image->width - bounds.width || bounds.y > image->height - bounds.height) return;
   // An image that was passed on is shown and read by threads: it must not change.
-  if (image.use_count() > 1) image = std::make_shared<transport::Image>(*image);
+  if (image.use_count() > 1) image = std::make_shared<image::Image>(*image);
   const bool has_all = packet.has_channel == std::array{true, true, true};
   for (int y = 0; y < bounds.height; ++y) {
     const auto* from = &packet.pixels[std::size_t(y) * std::size_t(bounds.width)];

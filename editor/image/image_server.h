@@ -32,7 +32,7 @@ class ImageServer : public QObject {
 
  signals:
   /// Emitted with a new image, or an update of one, a few times per second.
-  void received(const QString& name, std::shared_ptr<const transport::Image> image);
+  void received(const QString& name, std::shared_ptr<const image::Image> image);
   /// Emitted when a program has finished an image, and may send another one of that name.
   void closed(const QString& name);
   /// Emitted when a client was disconnected after it sent an invalid packet.
@@ -49,7 +49,7 @@ class ImageServer : public QObject {
   void announce();
 
   QTcpServer* server_;
-  std::map<QString, std::shared_ptr<transport::Image>> images_;
+  std::map<QString, std::shared_ptr<image::Image>> images_;
   QSet<QString> changed_;
   QTimer announcing_;
 };

@@ -6,17 +6,18 @@
 #include <vector>
 
 #include "editor/image/screen_colours.h"
+#include "renderer/reflectance/geometry.h"
 
 namespace editor {
 namespace {
 
-using reflectance::Rgb;
+using grf::Colour;
 
 /// Enough for a percentile of 0.1 %, and quickly sorted.
 constexpr std::size_t MostSamples = 1 << 18;
 
 /// Whether the luminance of the pixel counts.
-bool count(const Rgb& pixel, ImageStatistics& statistics) {
+bool count(const Colour& pixel, ImageStatistics& statistics) {
   if (std::isnan(pixel.x) || std::isnan(pixel.y) || std::isnan(pixel.z)) {
     ++statistics.nan_pixels;
     return false;
@@ -37,7 +38,7 @@ float difference_of(float a, float b, Difference difference) {
 
 }  // namespace
 
-ImageStatistics statistics_of(const transport::Image& image) {
+ImageStatistics statistics_of(const image::Image& image) {
   ImageStatistics statistics;
   std::vector<float> lit;
   double sum = 0;
@@ -67,10 +68,9 @@ ImageStatistics statistics_of(const transport::Image& image) {
   return statistics;
 }
 
-transport::Image difference_of(const transport::Image& image, const transport::Image& reference,
-                               Difference difference) {
+image::Image difference_of(const image::Image& image, const image::Image& reference, Difference difference) {
   assert(image.width == reference.width && image.height == reference.height);
-  transport::Image result{image.width, image.height, std::vector<Rgb>(image.pixels.size())};
+  image::Image result{image.width, image.height, std::vector<Colour>(image.pixels.size())};
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
       result.pixels[i][k] = difference_of(image.pixels[i][k], reference.pixels[i][k], difference);

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 
 namespace editor {
 
@@ -21,7 +21,7 @@ struct ImageStatistics {
   float largest_value = 0;
 };
 
-ImageStatistics statistics_of(const transport::Image& image);
+ImageStatistics statistics_of(const image::Image& image);
 
 enum class Difference {
   Signed,    ///< a - b
@@ -30,7 +30,6 @@ enum class Difference {
 };
 
 /// Computes the difference per channel. The images must have the same size.
-transport::Image difference_of(const transport::Image& image, const transport::Image& reference,
-                               Difference difference);
+image::Image difference_of(const image::Image& image, const image::Image& reference, Difference difference);
 
 }  // namespace editor

@@ -6,14 +6,15 @@
 #include "editor/controls/text.h"
 #include "editor/image/image_browser.h"
 #include "editor/image/screen_colours.h"
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
+#include "renderer/reflectance/geometry.h"
 
 namespace editor {
 namespace {
 
 QString number(double value) { return QString::number(value, 'g', 4); }
 
-QString values_text(const reflectance::Rgb& pixel, const ShownImage& shown) {
+QString values_text(const grf::Colour& pixel, const ShownImage& shown) {
   if (shown.layer.isEmpty())
     return ImageBrowser::tr("R %1  G %2  B %3").arg(number(pixel.x), number(pixel.y), number(pixel.z));
   if (shown.channels.size() < 2) return shown.layer + ' ' + number(pixel.x);
@@ -28,7 +29,7 @@ bool is_inside(const QPoint& pixel, const SharedImage& image) {
   return image && pixel.x() < image->width && pixel.y() < image->height;
 }
 
-QString error_text(const transport::ImageError& error) {
+QString error_text(const image::ImageError& error) {
   QStringList parts = {ImageBrowser::tr("RMSE %1").arg(number(error.rmse)),
                        ImageBrowser::tr("relMSE %1").arg(number(error.relmse))};
   if (error.average_relative_error) {
@@ -68,7 +69,7 @@ QString statistics_text(const ImageAnalysis& analysis, const ShownImage& shown, 
 
 QString pixel_text(const QPoint& pixel, const ShownImage& shown, const SharedImage& reference) {
   if (!is_inside(pixel, shown.image)) return {};
-  const reflectance::Rgb& value = shown.image->at(pixel.x(), pixel.y());
+  const grf::Colour& value = shown.image->at(pixel.x(), pixel.y());
   QString text =
       ImageBrowser::tr("x %1  y %2   %3").arg(pixel.x()).arg(pixel.y()).arg(values_text(value, shown));
   if (is_inside(pixel, reference)) {
@@ -85,7 +86,7 @@ QString image_read_filter() {
 
 QString image_write_filter() {
   QStringList filters;
-  for (const transport::ImageFormat& format : transport::image_formats()) {
+  for (const image::ImageFormat& format : image::image_formats()) {
     filters << QStringLiteral("%1 (*.%2)").arg(text_of(format.title), text_of(format.extension));
   }
   return filters.join(QStringLiteral(";;"));

@@ -51,7 +51,7 @@ std::vector<ScaleBar::Tick> ScaleBar::ticks() const {
 QColor ScaleBar::colour_at(double fraction) const {
   if (settings_.colouring == Colouring::Signed) {
     const auto value = static_cast<float>((2 * fraction - 1) * colours_.scale().highest());
-    return colours_(reflectance::Rgb(value));
+    return colours_(grf::Colour(value));
   }
   const plot::ColourScale& scale = colours_.scale();
   return colours_.false_colour(scale.lowest() * std::pow(scale.highest() / scale.lowest(), fraction));

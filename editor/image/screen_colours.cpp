@@ -7,11 +7,12 @@
 
 #include "editor/jobs/parallel_rows.h"
 #include "grf/srgb.h"
+#include "renderer/reflectance/geometry.h"
 
 namespace editor {
 namespace {
 
-using reflectance::Rgb;
+using grf::Colour;
 
 /// Floats with the same upper half differ by less than 1 %.
 constexpr unsigned TableShift = 16;
@@ -40,10 +41,10 @@ int byte_of(float encoded_value) {
   return static_cast<int>(std::lround(255 * std::clamp(encoded_value, 0.0F, 1.0F)));
 }
 
-Rgb mean_of(const transport::Image& image, const QRect& block) {
-  Rgb sum(0);
+Colour mean_of(const image::Image& image, const QRect& block) {
+  Colour sum(0);
   for (int y = block.top(); y <= block.bottom(); ++y) {
-    const Rgb* row = &image.at(block.left(), y);
+    const Colour* row = &image.at(block.left(), y);
     for (int x = 0; x < block.width(); ++x) sum += row[x];
   }
   return sum / static_cast<float>(block.width() * block.height());
@@ -119,12 +120,12 @@ QRgb ScreenColours::false_colour_by_table(float luminance) const {
 
 QRgb ScreenColours::signed_colour(double value) const {
   // Orange and sky blue of Okabe and Ito, in linear light, to which the tone curve is applied.
-  static const std::array poles = {Rgb(0.79F, 0.35F, 0.0F), Rgb(0.093F, 0.456F, 0.815F)};
-  const Rgb colour = poles[value < 0 ? 1 : 0] * std::min(static_cast<float>(std::abs(value)), 1.0F);
+  static const std::array poles = {Colour(0.79F, 0.35F, 0.0F), Colour(0.093F, 0.456F, 0.815F)};
+  const Colour colour = poles[value < 0 ? 1 : 0] * std::min(static_cast<float>(std::abs(value)), 1.0F);
   return qRgb((*curve_)(colour.x), (*curve_)(colour.y), (*curve_)(colour.z));
 }
 
-QRgb ScreenColours::natural(const Rgb& pixel) const {
+QRgb ScreenColours::natural(const Colour& pixel) const {
   const auto byte = [this](float value) { return (*curve_)((value - settings_.black) * factor_); };
   const auto grey = [&byte](float value) { return qRgb(byte(value), byte(value), byte(value)); };
   switch (settings_.channel) {
@@ -142,7 +143,7 @@ QRgb ScreenColours::natural(const Rgb& pixel) const {
   return qRgb(byte(pixel.x), byte(pixel.y), byte(pixel.z));
 }
 
-QRgb ScreenColours::operator()(const Rgb& pixel) const {
+QRgb ScreenColours::operator()(const Colour& pixel) const {
   // The sum is NaN or infinite if a component is; it may also overflow.
   if (!std::isfinite(pixel.x + pixel.y + pixel.z)) {
     if (std::isnan(pixel.x) || std::isnan(pixel.y) || std::isnan(pixel.z)) return NanColour;
@@ -159,7 +160,7 @@ QRgb ScreenColours::operator()(const Rgb& pixel) const {
   return natural(pixel);
 }
 
-QImage ScreenColours::convert(const transport::Image& image, const QRect& part, int block) const {
+QImage ScreenColours::convert(const image::Image& image, const QRect& part, int block) const {
   const int width = (part.width() + block - 1) / block;
   const int height = (part.height() + block - 1) / block;
   QImage converted(width, height, QImage::Format_RGB32);

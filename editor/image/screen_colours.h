@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/image/image.h"
 #include "renderer/plot/colour_scale.h"
-#include "renderer/transport/image/image.h"
 
 namespace editor {
 
@@ -71,11 +71,11 @@ class ScreenColours {
  public:
   explicit ScreenColours(const ScreenSettings& settings);
 
-  QRgb operator()(const reflectance::Rgb& pixel) const;
+  QRgb operator()(const grf::Colour& pixel) const;
 
   /// Converts a part of an image, averaging `block` x `block` pixels per output pixel; at the right and the
   /// lower edge, the pixels that are there.
-  QImage convert(const transport::Image& image, const QRect& part, int block = 1) const;
+  QImage convert(const image::Image& image, const QRect& part, int block = 1) const;
 
   /// The scale of false colours, in the image's unit, with the exposure.
   const plot::ColourScale& scale() const { return scale_; }
@@ -83,7 +83,7 @@ class ScreenColours {
   QRgb false_colour(double luminance) const;
 
  private:
-  QRgb natural(const reflectance::Rgb& pixel) const;
+  QRgb natural(const grf::Colour& pixel) const;
   QRgb signed_colour(double value) const;
   QRgb false_colour_by_table(float luminance) const;
   void make_false_colours();

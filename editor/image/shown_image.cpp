@@ -13,15 +13,15 @@ void update_shown(const ImageEntry& entry, const QString& layer, ShownImage& sho
     shown = {entry.name, entry.image, layer, {}, entry.layers};
     return;
   }
-  const transport::ImageLayer* found = find_layer(entry, layer);
+  const image::ImageLayer* found = find_layer(entry, layer);
   const QString name = entry.name + " · " + layer;
   if (found == nullptr) {
     shown = {name, nullptr, layer, {}, entry.layers};
   } else if (shown.layer != layer || shown.layers != entry.layers || !shown.image) {
     const int width = entry.image->width;
     const int height = entry.image->height;
-    shown = {name, std::make_shared<const transport::Image>(transport::image_of(*found, width, height)),
-             layer, text_of(found->channels), entry.layers};
+    shown = {name, std::make_shared<const image::Image>(image::image_of(*found, width, height)), layer,
+             text_of(found->channels), entry.layers};
   }
   shown.name = name;
 }
@@ -51,9 +51,9 @@ void fit_range(const ShownImage& shown, const ImageStatistics& statistics, Scree
 
 SharedImage in_range(const ShownImage& shown, const ScreenSettings& settings) {
   if (!shown.image || (settings.black == 0 && settings.white == 1)) return shown.image;
-  auto image = std::make_shared<transport::Image>(*shown.image);
-  for (reflectance::Rgb& pixel : image->pixels)
-    pixel = (pixel - reflectance::Rgb(settings.black)) / (settings.white - settings.black);
+  auto image = std::make_shared<image::Image>(*shown.image);
+  for (grf::Colour& pixel : image->pixels)
+    pixel = (pixel - grf::Colour(settings.black)) / (settings.white - settings.black);
   return image;
 }
 

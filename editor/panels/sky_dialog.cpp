@@ -14,8 +14,8 @@
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
 #include "grf/srgb.h"
+#include "renderer/image/image_file.h"
 #include "renderer/sky/daylight.h"
-#include "renderer/transport/image/image_file.h"
 
 namespace editor {
 namespace {
@@ -30,7 +30,7 @@ QImage picture_of(const sky::SkyMap& map) {
   const auto gain = static_cast<float>(1.5 * map.brightness());
   for (int y = 0; y < picture.height(); ++y) {
     for (int x = 0; x < picture.width(); ++x) {
-      const reflectance::Rgb& radiance = map.image.at(x, y);
+      const grf::Colour& radiance = map.image.at(x, y);
       const auto byte = [&](float value) {
         return static_cast<int>(std::lround(255 * grf::srgb_encoded(1 - std::exp(-gain * value))));
       };
@@ -209,7 +209,7 @@ void SkyDialog::write() {
   const auto work = [wanted, file = file_.toStdString()](const StopFlag&) {
     const sky::SkyMap map = sky::sky_map(wanted);
     grf::Diagnostics diagnostics;
-    if (transport::write_image({map.image}, file, diagnostics)) return Written{map.brightness(), {}};
+    if (image::write_image({map.image}, file, diagnostics)) return Written{map.brightness(), {}};
     return Written{1, diagnostics.entries().front().message};
   };
   writing_.start(work, [this](const Written& written) {

@@ -7,7 +7,7 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/programs/image_process.h"
-#include "renderer/transport/image/srgb.h"
+#include "renderer/image/srgb.h"
 #include "renderer/transport/scene/texture.h"
 
 namespace editor {
@@ -15,7 +15,7 @@ namespace {
 
 SmallImage read_small(const QString& path, int largest, const std::stop_token& stop) {
   grf::Diagnostics diagnostics;
-  std::optional<transport::Image> image = ImageProcess().read(path.toStdString(), diagnostics, {}, stop);
+  std::optional<image::Image> image = ImageProcess().read(path.toStdString(), diagnostics, {}, stop);
   if (!image) {
     const bool has_error = diagnostics.error_count() > 0;
     return {{}, has_error ? QString::fromStdString(diagnostics.entries().front().message) : QString()};
@@ -25,9 +25,9 @@ SmallImage read_small(const QString& path, int largest, const std::stop_token& s
   for (int y = 0; y < image->height; ++y) {
     for (int x = 0; x < image->width; ++x) {
       const reflectance::Rgb& pixel = image->at(x, y);
-      small.image.setPixel(x, y,
-                           qRgb(transport::to_srgb_byte(pixel.x), transport::to_srgb_byte(pixel.y),
-                                transport::to_srgb_byte(pixel.z)));
+      small.image.setPixel(
+          x, y,
+          qRgb(image::to_srgb_byte(pixel.x), image::to_srgb_byte(pixel.y), image::to_srgb_byte(pixel.z)));
     }
   }
   return small;

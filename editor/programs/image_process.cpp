@@ -33,12 +33,12 @@ bool read_bytes(QFile& file, void* bytes, std::uint64_t count) {
 std::uint64_t bytes_left(const QFile& file) { return static_cast<std::uint64_t>(file.size() - file.pos()); }
 
 /// Parses a layer as `bpt decode --layers` writes it.
-std::optional<transport::ImageLayer> layer_in(QFile& file, std::uint64_t pixels) {
+std::optional<image::ImageLayer> layer_in(QFile& file, std::uint64_t pixels) {
   constexpr std::uint32_t Longest = 1000;
   std::array<std::uint32_t, 2> lengths = {};
   if (!read_bytes(file, lengths.data(), sizeof(lengths)) || lengths[0] > Longest || lengths[1] > Longest)
     return std::nullopt;
-  transport::ImageLayer layer{std::string(lengths[0], ' '), std::string(lengths[1], ' '), {}};
+  image::ImageLayer layer{std::string(lengths[0], ' '), std::string(lengths[1], ' '), {}};
   const bool has_names =
       read_bytes(file, layer.name.data(), lengths[0]) && read_bytes(file, layer.channels.data(), lengths[1]);
   const std::uint64_t count = pixels * std::max(1U, lengths[1]);
@@ -50,17 +50,17 @@ std::optional<transport::ImageLayer> layer_in(QFile& file, std::uint64_t pixels)
 
 /// Parses an image as `bpt decode` writes it. It is untrusted: a file that exploits the decoder may have had
 /// it write anything.
-std::optional<transport::ImageFile> image_in(QFile& file, bool has_layers) {
+std::optional<image::ImageFile> image_in(QFile& file, bool has_layers) {
   std::array<std::int32_t, 2> size = {};
   if (!file.seek(0) || !read_bytes(file, size.data(), sizeof(size)) || size[0] < 1 || size[1] < 1)
     return std::nullopt;
   const std::uint64_t pixels = static_cast<std::uint64_t>(size[0]) * static_cast<std::uint64_t>(size[1]);
-  constexpr std::uint64_t PixelSize = sizeof(reflectance::Rgb);
+  constexpr std::uint64_t PixelSize = sizeof(grf::Colour);
   const std::uint64_t left = bytes_left(file);
   if (has_layers ? left / PixelSize < pixels : left / PixelSize != pixels || left % PixelSize != 0)
     return std::nullopt;
-  transport::ImageFile result;
-  result.image = {size[0], size[1], std::vector<reflectance::Rgb>(pixels)};
+  image::ImageFile result;
+  result.image = {size[0], size[1], std::vector<grf::Colour>(pixels)};
   if (!read_bytes(file, &result.image.pixels.front().x, pixels * PixelSize)) return std::nullopt;
   while (bytes_left(file) > 0) {
     auto layer = layer_in(file, pixels);
@@ -72,22 +72,22 @@ std::optional<transport::ImageFile> image_in(QFile& file, bool has_layers) {
 
 }  // namespace
 
-std::optional<transport::Image> ImageProcess::read(const std::string& path, grf::Diagnostics& diagnostics,
-                                                   const grf::SourceLocation& asked_for_at,
-                                                   const std::stop_token& stop) const {
+std::optional<image::Image> ImageProcess::read(const std::string& path, grf::Diagnostics& diagnostics,
+                                               const grf::SourceLocation& asked_for_at,
+                                               const std::stop_token& stop) const {
   auto file = read(path, false, diagnostics, asked_for_at, stop);
   return file ? std::optional(std::move(file->image)) : std::nullopt;
 }
 
-std::optional<transport::ImageFile> ImageProcess::read_file(const std::string& path,
-                                                            grf::Diagnostics& diagnostics) const {
+std::optional<image::ImageFile> ImageProcess::read_file(const std::string& path,
+                                                        grf::Diagnostics& diagnostics) const {
   return read(path, true, diagnostics, {}, {});
 }
 
-std::optional<transport::ImageFile> ImageProcess::read(const std::string& path, bool has_layers,
-                                                       grf::Diagnostics& diagnostics,
-                                                       const grf::SourceLocation& asked_for_at,
-                                                       const std::stop_token& stop) const {
+std::optional<image::ImageFile> ImageProcess::read(const std::string& path, bool has_layers,
+                                                   grf::Diagnostics& diagnostics,
+                                                   const grf::SourceLocation& asked_for_at,
+                                                   const std::stop_token& stop) const {
   Result result = decode(QString::fromStdString(path), has_layers, stop);
   if (result.file || stop.stop_requested()) return std::move(result.file);
   const std::string problem = result.problem.toStdString();

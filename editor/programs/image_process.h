@@ -7,7 +7,7 @@
 #include <stop_token>
 
 #include "editor/programs/bundled_program.h"
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 
 namespace editor {
 
@@ -26,25 +26,24 @@ class ImageProcess {
   explicit ImageProcess(QString program = bundled_program("bpt")) : ImageProcess(std::move(program), {}) {}
   ImageProcess(QString program, const Limits& limits) : program_(std::move(program)), limits_(limits) {}
 
-  /// Decodes an image as transport::read_image does. If cancelled, it kills the process, and returns nothing
+  /// Decodes an image as image::read_image does. If cancelled, it kills the process, and returns nothing
   /// without an error.
-  std::optional<transport::Image> read(const std::string& path, grf::Diagnostics& diagnostics,
-                                       const grf::SourceLocation& asked_for_at = {},
-                                       const std::stop_token& stop = {}) const;
-  /// Decodes an image with its layers as transport::read_image_file does.
-  std::optional<transport::ImageFile> read_file(const std::string& path, grf::Diagnostics& diagnostics) const;
+  std::optional<image::Image> read(const std::string& path, grf::Diagnostics& diagnostics,
+                                   const grf::SourceLocation& asked_for_at = {},
+                                   const std::stop_token& stop = {}) const;
+  /// Decodes an image with its layers as image::read_image_file does.
+  std::optional<image::ImageFile> read_file(const std::string& path, grf::Diagnostics& diagnostics) const;
 
  private:
   /// An image, or an error message.
   struct Result {
-    std::optional<transport::ImageFile> file;
+    std::optional<image::ImageFile> file;
     QString problem;
   };
 
-  std::optional<transport::ImageFile> read(const std::string& path, bool has_layers,
-                                           grf::Diagnostics& diagnostics,
-                                           const grf::SourceLocation& asked_for_at,
-                                           const std::stop_token& stop) const;
+  std::optional<image::ImageFile> read(const std::string& path, bool has_layers,
+                                       grf::Diagnostics& diagnostics, const grf::SourceLocation& asked_for_at,
+                                       const std::stop_token& stop) const;
   Result decode(const QString& path, bool has_layers, const std::stop_token& stop) const;
 
   QString program_;

@@ -18,7 +18,7 @@
 #include "editor/document/document.h"
 #include "editor/document/op_document.h"
 #include "editor/rendering/fitted_image.h"
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 
 namespace editor {
 namespace {
@@ -45,8 +45,8 @@ QString share_text(const std::optional<ShareInterval>& share) {
 }
 
 /// Absolute differences of pixels, brightened until only some of them are clipped.
-transport::Image brightened_difference(const transport::Image& full, const transport::Image& without) {
-  transport::Image result = full;
+image::Image brightened_difference(const image::Image& full, const image::Image& without) {
+  image::Image result = full;
   std::vector<float> brightest;
   for (std::size_t i = 0; i < result.pixels.size(); ++i) {
     for (int c = 0; c < 3; ++c) result.pixels[i][c] = std::abs(full.pixels[i][c] - without.pixels[i][c]);
@@ -339,8 +339,8 @@ QString EffectsPage::image_of(Effect effect, const QString& kind) const {
 
 QImage EffectsPage::picture_of(Effect effect) const {
   grf::Diagnostics diagnostics;
-  const auto full = transport::read_image(image_of(effect, "full").toStdString(), diagnostics);
-  const auto without = transport::read_image(image_of(effect, "without").toStdString(), diagnostics);
+  const auto full = image::read_image(image_of(effect, "full").toStdString(), diagnostics);
+  const auto without = image::read_image(image_of(effect, "without").toStdString(), diagnostics);
   if (!full || !without || full->pixels.size() != without->pixels.size()) return {};
   const qreal ratio = devicePixelRatioF();
   QImage picture = fitted(brightened_difference(*full, *without), Thumbnail * ratio);

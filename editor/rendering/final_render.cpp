@@ -124,7 +124,7 @@ void FinalRender::stop() {
   process_.interrupt();
 }
 
-void FinalRender::show(const QString& name, const std::shared_ptr<const transport::Image>& image) {
+void FinalRender::show(const QString& name, const std::shared_ptr<const image::Image>& image) {
   if (is_running_ && name == output_) emit image_changed(image);
 }
 
@@ -162,8 +162,8 @@ FinalRender::Outcome FinalRender::read_result(FinalRenderResult result, const QS
   result.copy = keep_copy(result.image, copy) ? copy : result.image;
   grf::Diagnostics ignored_diagnostics;  // the renderer has just written it
   Outcome left = {std::move(result), nullptr};
-  auto image = transport::read_image(left.result.image.toStdString(), ignored_diagnostics);
-  if (image) left.image = std::make_shared<const transport::Image>(std::move(*image));
+  auto image = image::read_image(left.result.image.toStdString(), ignored_diagnostics);
+  if (image) left.image = std::make_shared<const image::Image>(std::move(*image));
   return left;
 }
 

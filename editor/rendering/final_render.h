@@ -14,8 +14,8 @@
 #include "editor/rendering/renderer_process.h"
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
+#include "renderer/image/image.h"
 #include "renderer/options/render_options.h"
-#include "renderer/transport/image/image.h"
 
 namespace editor {
 
@@ -67,13 +67,13 @@ class FinalRender : public QObject {
   const QString& output() const { return output_; }
 
   /// Shows the image rendered so far if it has the announced name; images of other programs are ignored.
-  void show(const QString& name, const std::shared_ptr<const transport::Image>& image);
+  void show(const QString& name, const std::shared_ptr<const image::Image>& image);
 
  signals:
   void started(const QString& output);
   void progressed(const editor::RenderReport& report);
   /// Emitted with the image rendered so far, or the final one.
-  void image_changed(std::shared_ptr<const transport::Image> image);
+  void image_changed(std::shared_ptr<const image::Image> image);
   /// Emitted with a line of the program's log.
   void logged(const QString& line);
   /// Emitted when there is an image.
@@ -92,7 +92,7 @@ class FinalRender : public QObject {
   /// The result and its image; null if it cannot be read.
   struct Outcome {
     FinalRenderResult result;
-    std::shared_ptr<const transport::Image> image;
+    std::shared_ptr<const image::Image> image;
   };
 
   static Outcome read_result(FinalRenderResult result, const QString& copy);

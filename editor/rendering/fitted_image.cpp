@@ -7,13 +7,13 @@
 #include <cmath>
 
 #include "editor/appearance/theme.h"
-#include "renderer/transport/image/srgb.h"
+#include "renderer/image/srgb.h"
 
 namespace editor {
 namespace {
 
 /// Box filter over the pixels that a pixel of a smaller image covers; nearest neighbour for a larger one.
-reflectance::Rgb covered(const transport::Image& image, int x, int y, const QSize& size) {
+grf::Colour covered(const image::Image& image, int x, int y, const QSize& size) {
   const auto part = [](int place, int count, int count_there) {
     const int begin = static_cast<int>(static_cast<qint64>(place) * count_there / count);
     const int end = static_cast<int>(static_cast<qint64>(place + 1) * count_there / count);
@@ -21,7 +21,7 @@ reflectance::Rgb covered(const transport::Image& image, int x, int y, const QSiz
   };
   const auto [left, right] = part(x, size.width(), image.width);
   const auto [top, bottom] = part(y, size.height(), image.height);
-  reflectance::Rgb sum(0);
+  grf::Colour sum(0);
   for (int row = top; row < bottom; ++row) {
     for (int column = left; column < right; ++column) sum += image.at(column, row);
   }
@@ -40,7 +40,7 @@ ScreenSettings error_screen_settings() {
   return settings;
 }
 
-QImage fitted(const transport::Image& image, const QSize& pixels, const transport::Image* error) {
+QImage fitted(const image::Image& image, const QSize& pixels, const image::Image* error) {
   const bool has_error = error != nullptr && error->width == image.width && error->height == image.height;
   const ScreenColours false_colours(error_screen_settings());
   const QSize size = QSize(image.width, image.height).scaled(pixels, Qt::KeepAspectRatio).expandedTo({1, 1});
@@ -48,11 +48,11 @@ QImage fitted(const transport::Image& image, const QSize& pixels, const transpor
   for (int y = 0; y < size.height(); ++y) {
     auto* line = reinterpret_cast<QRgb*>(result.scanLine(y));
     for (int x = 0; x < size.width(); ++x) {
-      const reflectance::Rgb colour = covered(image, x, y, size);
-      line[x] = qRgb(transport::to_srgb_byte(colour.x), transport::to_srgb_byte(colour.y),
-                     transport::to_srgb_byte(colour.z));
+      const grf::Colour colour = covered(image, x, y, size);
+      line[x] =
+          qRgb(image::to_srgb_byte(colour.x), image::to_srgb_byte(colour.y), image::to_srgb_byte(colour.z));
       if (!has_error) continue;
-      const reflectance::Rgb there = covered(*error, x, y, size);
+      const grf::Colour there = covered(*error, x, y, size);
       if (std::isfinite(there.x)) line[x] = false_colours(there);
     }
   }
@@ -66,8 +66,8 @@ FittedImage::FittedImage(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void FittedImage::set_image(std::shared_ptr<const transport::Image> image,
-                            std::shared_ptr<const transport::Image> error) {
+void FittedImage::set_image(std::shared_ptr<const image::Image> image,
+                            std::shared_ptr<const image::Image> error) {
   image_ = std::move(image);
   error_ = std::move(error);
   drawn_ = QImage();

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "editor/image/screen_colours.h"
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 
 namespace editor {
 
@@ -16,7 +16,7 @@ ScreenSettings error_screen_settings();
 
 /// Converts an image to sRGB, downscaled to fit into `pixels` with its aspect ratio. Where the relative error
 /// of its pixels is given and finite, that is shown instead.
-QImage fitted(const transport::Image& image, const QSize& pixels, const transport::Image* error = nullptr);
+QImage fitted(const image::Image& image, const QSize& pixels, const image::Image* error = nullptr);
 
 /// Displays an image scaled to fit. A click or Return requests to open it.
 class FittedImage : public QWidget {
@@ -26,11 +26,11 @@ class FittedImage : public QWidget {
   explicit FittedImage(QWidget* parent = nullptr);
 
   /// Sets the image and the relative error of its pixels, if that is known; null shows none.
-  void set_image(std::shared_ptr<const transport::Image> image,
-                 std::shared_ptr<const transport::Image> error = nullptr);
+  void set_image(std::shared_ptr<const image::Image> image,
+                 std::shared_ptr<const image::Image> error = nullptr);
   /// Shows the error in place of the image, where it is known.
   void set_error_shown(bool is_shown);
-  const std::shared_ptr<const transport::Image>& image() const { return image_; }
+  const std::shared_ptr<const image::Image>& image() const { return image_; }
   /// Sets the text shown while there is no image.
   void set_hint(const QString& hint);
 
@@ -46,8 +46,8 @@ class FittedImage : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  std::shared_ptr<const transport::Image> image_;
-  std::shared_ptr<const transport::Image> error_;
+  std::shared_ptr<const image::Image> image_;
+  std::shared_ptr<const image::Image> error_;
   bool is_error_shown_ = false;
   QImage drawn_;  ///< cache for the last painted size; null before the first painting
   QString hint_;

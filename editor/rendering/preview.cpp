@@ -99,7 +99,7 @@ void Preview::resume() { render_.resume(); }
 
 void Preview::take_image() {
   int request = 0;
-  std::shared_ptr<const transport::Image> image;
+  std::shared_ptr<const image::Image> image;
   transport::RenderProgress progress;
   std::shared_ptr<const job::PreviewAccuracy> accuracy;
   int accuracy_request = 0;

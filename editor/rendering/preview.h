@@ -31,7 +31,7 @@ class Preview : public QObject {
   bool is_on() const { return is_on_; }
   bool is_paused() const { return is_on_ && state_ == job::PreviewState::Paused; }
   /// The last image; null before the first.
-  const std::shared_ptr<const transport::Image>& image() const { return image_; }
+  const std::shared_ptr<const image::Image>& image() const { return image_; }
   /// The last accuracy that was measured of the current request; null before the first.
   const std::shared_ptr<const job::PreviewAccuracy>& accuracy() const { return accuracy_; }
   /// The region that the last image is limited to; empty: none.
@@ -39,7 +39,7 @@ class Preview : public QObject {
 
  signals:
   /// Emitted with an image, at first smaller than requested, and never faster than the window handles them.
-  void image_changed(std::shared_ptr<const transport::Image> image, transport::RenderProgress progress);
+  void image_changed(std::shared_ptr<const image::Image> image, transport::RenderProgress progress);
   void state_changed(job::PreviewState state);
   void stopped();
   /// Emitted with the diagnostics of scene and options; empty when all errors are resolved.
@@ -50,7 +50,7 @@ class Preview : public QObject {
   struct PendingResults {
     std::mutex lock;
     int request = 0;
-    std::shared_ptr<const transport::Image> image;
+    std::shared_ptr<const image::Image> image;
     std::shared_ptr<const job::PreviewAccuracy> accuracy;  ///< null: no new one
     int accuracy_request = 0;
     transport::RenderProgress progress;
@@ -66,7 +66,7 @@ class Preview : public QObject {
   bool is_on_ = false;
   bool has_shown_ = false;  ///< an image of the current request
   job::PreviewState state_ = job::PreviewState::Done;
-  std::shared_ptr<const transport::Image> image_;
+  std::shared_ptr<const image::Image> image_;
   std::shared_ptr<const job::PreviewAccuracy> accuracy_;
   std::optional<job::PreviewRegion> region_;  ///< of the current request
   std::optional<job::PreviewRegion> image_region_;

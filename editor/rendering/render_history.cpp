@@ -39,7 +39,7 @@ RenderHistory::RenderHistory(QWidget* parent) : QListWidget(parent) {
           [this](const QListWidgetItem* item) { emit image_chosen(item->data(Qt::UserRole).toString()); });
 }
 
-void RenderHistory::add(const FinalRenderResult& result, const transport::Image& image) {
+void RenderHistory::add(const FinalRenderResult& result, const image::Image& image) {
   const qreal ratio = devicePixelRatioF();
   QImage canvas(Thumbnail * ratio, QImage::Format_ARGB32_Premultiplied);
   canvas.fill(Qt::transparent);

@@ -13,7 +13,7 @@ class RenderHistory : public QListWidget {
  public:
   explicit RenderHistory(QWidget* parent = nullptr);
 
-  void add(const FinalRenderResult& result, const transport::Image& image);
+  void add(const FinalRenderResult& result, const image::Image& image);
 
   QSize sizeHint() const override;
 

@@ -56,7 +56,7 @@ QLabel* RenderPanel::make_visible_noise(QWidget* parent) {
          "1 "
          "the eye sees no difference. It sees %1 pixels per degree, as on a full HD screen of 24 inches from "
          "63 cm, with the exposure of the render options. Estimated from two halves of the samples")
-          .arg(transport::Viewing::DefaultPixelsPerDegree));
+          .arg(image::Viewing::DefaultPixelsPerDegree));
   return label;
 }
 

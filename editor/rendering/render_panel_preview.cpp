@@ -37,9 +37,9 @@ void RenderPanel::connect_preview() {
             if (!preview_view_) {  // which shows it itself
               image_path_.clear();
               const auto& accuracy = preview_.accuracy();
-              image_->set_image(
-                  image,
-                  accuracy ? std::shared_ptr<const transport::Image>(accuracy, &accuracy->error) : nullptr);
+              image_->set_image(image, accuracy
+                                           ? std::shared_ptr<const image::Image>(accuracy, &accuracy->error)
+                                           : nullptr);
             }
             if (progress.estimated_error && progress.done > 0) {
               curve_->add(progress.seconds, *progress.estimated_error);

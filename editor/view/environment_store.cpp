@@ -78,9 +78,9 @@ EnvironmentStore::Loaded EnvironmentStore::read(const ImageProcess& images, cons
   const bool has_error = diagnostics.error_count() > 0;  // no message if it was stopped
   if (!image) return {nullptr, has_error ? path + ": " + diagnostics.entries().front().message : ""};
   auto environment = std::make_shared<SceneEnvironment>();
-  transport::Image reduced = studies::reduced_map(std::move(*image));
+  image::Image reduced = studies::reduced_map(std::move(*image));
   if (is_backplate) {
-    environment->backplate = std::make_shared<const transport::Image>(std::move(reduced));
+    environment->backplate = std::make_shared<const image::Image>(std::move(reduced));
     return {environment, {}};
   }
   environment->lights = studies::map_lights(reduced);

@@ -38,7 +38,7 @@ void EnvironmentTextures::load(const studies::Environment& sky, int most_side) {
     gl_.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   };
   if (!sky.map || sky.map->image().width > most_side) return;
-  const transport::Image& image = sky.map->image();
+  const image::Image& image = sky.map->image();
   std::vector<Imath::V4f> texels;
   texels.reserve(image.pixels.size());
   for (const reflectance::Rgb& c : image.pixels) texels.emplace_back(c.x, c.y, c.z, sky.map->pdf_of(c));

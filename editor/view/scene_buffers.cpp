@@ -89,14 +89,14 @@ void SceneBuffers::bind_tables(GLuint first_unit) const {
   term_table_.bind(first_unit + 3);
 }
 
-void SceneBuffers::set_texture(const std::string& path, const transport::Image* image) {
+void SceneBuffers::set_texture(const std::string& path, const image::Image* image) {
   auto& texture = textures_[path];
   if (texture != nullptr) return;
   if (image == nullptr) {
     texture = squares(qRgb(70, 70, 76), qRgb(215, 120, 205));
     return;
   }
-  transport::Image smaller;
+  image::Image smaller;
   while (std::max(image->width, image->height) > limits_.texture_side) {
     smaller = transport::halved(*image);
     image = &smaller;
@@ -115,7 +115,7 @@ void SceneBuffers::bind_texture(std::size_t number, GLuint unit) {
   (found != textures_.end() ? *found->second : *awaited_texture_).bind(unit);
 }
 
-std::unique_ptr<QOpenGLTexture> SceneBuffers::texture_of(const transport::Image& image) const {
+std::unique_ptr<QOpenGLTexture> SceneBuffers::texture_of(const image::Image& image) const {
   auto texture = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
   texture->setSize(image.width, image.height);
   texture->setFormat(QOpenGLTexture::RGB16F);

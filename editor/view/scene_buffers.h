@@ -14,7 +14,7 @@
 #include "editor/view/geometry_store.h"
 #include "editor/view/mesh_buffers.h"
 #include "editor/view/surface_tables.h"
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 
 namespace editor {
 
@@ -30,7 +30,7 @@ class SceneBuffers {
   bool set_shapes(const std::vector<MeshShape>& shapes, const FaceSelection& hidden);
   void set_selection(const FaceSelection& selection);
   /// Sets a texture, downscaled to the driver's limit; null if it cannot be read.
-  void set_texture(const std::string& path, const transport::Image* image);
+  void set_texture(const std::string& path, const image::Image* image);
   /// Drops a texture, so that it can be set again.
   void forget_texture(const std::string& path);
 
@@ -58,7 +58,7 @@ class SceneBuffers {
   using BuffersKey = std::pair<std::shared_ptr<const TriangleArrays>, FaceSelection::Faces>;
 
   bool fits(std::size_t mesh) const;
-  std::unique_ptr<QOpenGLTexture> texture_of(const transport::Image& image) const;
+  std::unique_ptr<QOpenGLTexture> texture_of(const image::Image& image) const;
   std::unique_ptr<QOpenGLTexture> squares(QRgb first, QRgb second) const;
 
   Gl& gl_;

@@ -13,7 +13,7 @@ struct SceneEnvironment {
   studies::Environment sky;   ///< of the kind Map, or None
   studies::MapLights lights;  ///< of the map as it is in its file
   /// An image behind the scene that lights nothing; null: none.
-  std::shared_ptr<const transport::Image> backplate;
+  std::shared_ptr<const image::Image> backplate;
   float backplate_scale = 1;  ///< factor of its radiance
 
   bool is_map() const { return sky.kind == studies::Environment::Kind::Map; }

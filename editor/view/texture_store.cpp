@@ -65,7 +65,7 @@ TextureStore::Entry TextureStore::read(const ImageProcess& images, const std::st
                                        const std::stop_token& stop) {
   grf::Diagnostics diagnostics;
   auto image = images.read(path, diagnostics, {}, stop);
-  if (image) return {std::make_shared<const transport::Image>(*std::move(image)), {}, true, 0};
+  if (image) return {std::make_shared<const image::Image>(*std::move(image)), {}, true, 0};
   const bool has_error = diagnostics.error_count() > 0;  // no message if it was stopped
   return {nullptr, has_error ? path + ": " + diagnostics.entries().front().message : std::string(), true, 0};
 }

@@ -15,7 +15,7 @@ namespace editor {
 /// A texture image; null if it cannot be read.
 struct ReadTexture {
   std::string path;
-  std::shared_ptr<const transport::Image> image;
+  std::shared_ptr<const image::Image> image;
 
   bool operator==(const ReadTexture&) const = default;
 };
@@ -44,7 +44,7 @@ class TextureStore : public QObject {
 
  private:
   struct Entry {
-    std::shared_ptr<const transport::Image> image;
+    std::shared_ptr<const image::Image> image;
     std::string problem;  ///< error message; empty if there is none
     bool is_read = false;
     int reading = 0;  ///< number of the latest reading

@@ -82,7 +82,7 @@ class ViewDrawing {
   std::unique_ptr<QOpenGLFramebufferObject> screen_;
   std::unique_ptr<GlObject> rendered_;  // null: none
   std::unique_ptr<GlObject> plate_;     // likewise
-  std::shared_ptr<const transport::Image> loaded_plate_;
+  std::shared_ptr<const image::Image> loaded_plate_;
   std::vector<FrameRenderer::Step> steps_;
   std::size_t next_step_ = 0;
   int passes_ = 0;

@@ -51,7 +51,7 @@ void ImageController::connect_renders() {
 
 /// An image that arrives after its render has ended, perhaps while the next one is running, is not shown: its
 /// file was loaded.
-void ImageController::take_sent(const QString& name, const std::shared_ptr<const transport::Image>& image) {
+void ImageController::take_sent(const QString& name, const std::shared_ptr<const image::Image>& image) {
   FinalRender& final_render = render_.final_render();
   final_render.show(name, image);
   if (!final_render.has_rendered(name)) return browser().show_image(name, image);

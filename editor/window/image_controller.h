@@ -4,7 +4,7 @@
 #include <QObject>
 #include <memory>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 
 class QMenu;
 
@@ -29,7 +29,7 @@ class ImageController : public QObject {
  private:
   void connect_renders();
   void compare_with_last();
-  void take_sent(const QString& name, const std::shared_ptr<const transport::Image>& image);
+  void take_sent(const QString& name, const std::shared_ptr<const image::Image>& image);
 
   RenderPanel& render_;
   Pages& pages_;

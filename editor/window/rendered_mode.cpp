@@ -26,7 +26,7 @@ const QRectF MiddleRegion(0.25, 0.25, 0.5, 0.5);
 constexpr double LeastRegionSide = 0.01;
 
 /// Converts an image, or its error if that is not null, for the screen, transparent outside the region.
-std::shared_ptr<const QImage> screen_image(const transport::Image& image, const transport::Image* error,
+std::shared_ptr<const QImage> screen_image(const image::Image& image, const image::Image* error,
                                            const std::optional<job::PreviewRegion>& region) {
   const QImage whole = fitted(image, {image.width, image.height}, error);
   if (!region) return std::make_shared<const QImage>(whole);

@@ -7,8 +7,8 @@
 #include <memory>
 #include <optional>
 
+#include "renderer/image/image.h"
 #include "renderer/job/preview_stages.h"
-#include "renderer/transport/image/image.h"
 #include "renderer/transport/render.h"
 
 class QAction;
@@ -46,7 +46,7 @@ class RenderedMode : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  using SharedImage = std::shared_ptr<const transport::Image>;
+  using SharedImage = std::shared_ptr<const image::Image>;
   using ScreenImage = std::shared_ptr<const QImage>;
 
   void make_actions(QWidget& window);

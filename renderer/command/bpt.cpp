@@ -22,8 +22,8 @@
 #include "renderer/command/plan_command.h"
 #include "renderer/command/render_command.h"
 #include "renderer/command/sky_command.h"
+#include "renderer/image/encoders.h"
 #include "renderer/options/render_options.h"
-#include "renderer/transport/image/image_encoders.h"
 
 namespace {
 
@@ -248,7 +248,7 @@ void add_decode(CLI::App& app, DecodeArguments& arguments) {
 
 bool write_out(const void* bytes, std::size_t count) { return std::fwrite(bytes, 1, count, stdout) == count; }
 
-bool write_out(const transport::ImageLayer& layer) {
+bool write_out(const image::ImageLayer& layer) {
   const std::array lengths = {static_cast<std::uint32_t>(layer.name.size()),
                               static_cast<std::uint32_t>(layer.channels.size())};
   return write_out(lengths.data(), sizeof(lengths)) && write_out(layer.name.data(), layer.name.size()) &&
@@ -256,8 +256,8 @@ bool write_out(const transport::ImageLayer& layer) {
          write_out(layer.values.data(), layer.values.size() * sizeof(float));
 }
 
-bool write_out(const transport::ImageFile& file) {
-  const std::string bytes = transport::encode_raw({file.image});
+bool write_out(const image::ImageFile& file) {
+  const std::string bytes = image::encode_raw({file.image});
   return write_out(bytes.data(), bytes.size()) &&
          std::ranges::all_of(file.layers, [](const auto& layer) { return write_out(layer); }) &&
          std::fflush(stdout) == 0;
@@ -302,11 +302,11 @@ ExitCode decode(const DecodeArguments& arguments) {
   };
   try {
     grf::Diagnostics diagnostics;
-    std::optional<transport::ImageFile> file;
+    std::optional<image::ImageFile> file;
     if (arguments.has_layers) {
-      file = transport::read_image_file(arguments.image, diagnostics);
-    } else if (auto image = transport::read_image(arguments.image, diagnostics)) {
-      file = transport::ImageFile{std::move(*image)};
+      file = image::read_image_file(arguments.image, diagnostics);
+    } else if (auto image = image::read_image(arguments.image, diagnostics)) {
+      file = image::ImageFile{std::move(*image)};
     }
     if (!file) return fail(diagnostics.entries().front().message);
     return write_out(*file) ? ExitCode::Done : fail("cannot write the image to standard output");

@@ -18,6 +18,7 @@
 #include "renderer/command/json_values.h"
 #include "renderer/command/printed.h"
 #include "renderer/command/sampling_plot.h"
+#include "renderer/image/image.h"
 #include "renderer/plot/svg.h"
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/halton.h"
@@ -25,7 +26,6 @@
 #include "renderer/reflectance/scheme.h"
 #include "renderer/studies/brdf_instance.h"
 #include "renderer/studies/study.h"
-#include "renderer/transport/image/image.h"
 
 namespace command {
 namespace {
@@ -240,7 +240,7 @@ ExitCode plot_brdf(const BrdfArguments& arguments) {
   Diagnostics diagnostics;
   std::optional<plot::Svg> picture;
   std::string summary;
-  if (transport::has_extension(arguments.instance, "fit")) {
+  if (image::has_extension(arguments.instance, "fit")) {
     const auto study = study_of_fit(arguments.instance);
     if (!study) return ExitCode::BadInput;
     picture = study->figure;

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "renderer/command/lit_sphere.h"
+#include "renderer/image/encoders.h"
 #include "renderer/plot/brdf_charts.h"
-#include "renderer/transport/image/image_encoders.h"
 
 namespace command {
 namespace {
@@ -33,7 +33,7 @@ plot::Svg picture_of(const Reflector& reflector, const std::string& title) {
   draw(lobe_chart(curves, {plot::Channel::Mean, false, true}), {{500, 50}, 460, 280}, svg);
   draw(albedo_chart(plot::albedo_curve(reflector, Samples)), {{20, 350}, 460, 290}, svg);
   svg.text({562, 364}, "Sphere, under a bright window and a dim sky", {13, "#111", plot::Anchor::Start, 0});
-  svg.image({600, 385}, 220, 220, transport::encode_png({lit_sphere(reflector, SphereSide)}));
+  svg.image({600, 385}, 220, 220, image::encode_png({lit_sphere(reflector, SphereSide)}));
   return svg;
 }
 

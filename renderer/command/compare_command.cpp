@@ -7,24 +7,24 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/command/json_values.h"
-#include "renderer/transport/image/image_error.h"
+#include "renderer/image/image_error.h"
 
 namespace command {
 namespace {
 
 using grf::Diagnostics;
 using grf::ExitCode;
-using transport::ImageError;
+using image::ImageError;
 
 struct Comparison {
   ImageError error;
-  transport::VisibleDifference visible;
+  image::VisibleDifference visible;
 };
 
 /// Returns nothing after an error.
 std::optional<Comparison> compare(const CompareArguments& arguments, Diagnostics& diagnostics) {
-  const auto image = transport::read_image(arguments.image, diagnostics);
-  const auto reference = transport::read_image(arguments.reference, diagnostics);
+  const auto image = image::read_image(arguments.image, diagnostics);
+  const auto reference = image::read_image(arguments.reference, diagnostics);
   if (!image || !reference) return std::nullopt;
   if (image->width != reference->width || image->height != reference->height) {
     diagnostics.error(grf::whole_file(arguments.image),
@@ -32,11 +32,11 @@ std::optional<Comparison> compare(const CompareArguments& arguments, Diagnostics
                                   image->height, reference->width, reference->height, arguments.reference));
     return std::nullopt;
   }
-  const ImageError error = transport::error_of(*image, *reference);
+  const ImageError error = image::error_of(*image, *reference);
   if (error.nan_pixels < image->pixels.size()) {
-    const transport::Viewing viewing = {arguments.exposure, arguments.pixels_per_degree};
-    return Comparison{error, transport::summary_of(visible_differences(
-                                 transport::seen(*image, viewing), transport::seen(*reference, viewing)))};
+    const image::Viewing viewing = {arguments.exposure, arguments.pixels_per_degree};
+    return Comparison{error, image::summary_of(visible_differences(image::seen(*image, viewing),
+                                                                   image::seen(*reference, viewing)))};
   }
   diagnostics.error(grf::whole_file(arguments.image),
                     fmt::format("no pixel is finite both here and in '{}'", arguments.reference));

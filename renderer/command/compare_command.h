@@ -3,7 +3,7 @@
 #include <string>
 
 #include "grf/exit_code.h"
-#include "renderer/transport/image/visible_difference.h"
+#include "renderer/image/visible_difference.h"
 
 namespace command {
 
@@ -12,7 +12,7 @@ struct CompareArguments {
   std::string image;
   std::string reference;
   double exposure = 0;  ///< stops, with which the images are seen
-  double pixels_per_degree = transport::Viewing::DefaultPixelsPerDegree;
+  double pixels_per_degree = image::Viewing::DefaultPixelsPerDegree;
   bool json = false;
 };
 

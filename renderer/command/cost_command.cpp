@@ -78,7 +78,7 @@ class Subjects {
   std::map<std::string, std::shared_ptr<const CompiledScene>> compiled_;
   // Shared by all lines, so read once.
   std::shared_ptr<const transport::EnvironmentMap> environment_;
-  std::shared_ptr<const transport::Image> backplate_;
+  std::shared_ptr<const image::Image> backplate_;
 };
 
 /// Returns the reference's line: `path`, the best scheme of each BRDF, Sobol points and the greatest depth.
@@ -140,10 +140,10 @@ bool read_crop(const CostArguments& arguments, const options::ImageSize& size,
 bool read_reference(const std::string& path, const options::ImageSize& size, CostPlan& plan,
                     Diagnostics& diagnostics) {
   if (path.empty()) return true;
-  auto image = transport::read_image(path, diagnostics);
+  auto image = image::read_image(path, diagnostics);
   if (!image) return false;
   plan.given = CostReference{std::move(*image)};
-  const transport::Image& given = plan.given->image;
+  const image::Image& given = plan.given->image;
   if (given.width == size.width && given.height == size.height) return true;
   diagnostics.error(grf::whole_file(path),
                     fmt::format("the reference has {} x {} pixels, expected {} x {}, the size of the renders",
@@ -207,7 +207,7 @@ bool take_earlier(const CostArguments& arguments, const std::vector<CostLine>& l
   if (arguments.continued.empty()) return true;
   auto saved = read_cost_study(arguments.continued, diagnostics);
   if (!saved || !check_conditions(*saved, conditions, arguments.continued, diagnostics)) return false;
-  auto image = transport::read_image(saved->reference_image, diagnostics);
+  auto image = image::read_image(saved->reference_image, diagnostics);
   if (!image) return false;
   plan.given = CostReference{std::move(*image), saved->reference_seconds, saved->reference_relmse};
   plan.reference_samples = saved->reference_samples;
@@ -302,7 +302,7 @@ bool report(const CostSweep& sweep, const CostResult& result, const CostTask& ta
   Diagnostics diagnostics;
   bool written = write_cost_files(result, task.base, diagnostics);
   if (!result.reference_image.empty()) {
-    written &= transport::write_image({sweep.reference()->image}, reference_file_of(task.base), diagnostics);
+    written &= image::write_image({sweep.reference()->image}, reference_file_of(task.base), diagnostics);
   }
   progress.finish(sweep.progress(), task.base + ".svg");
   fmt::print(stderr, "{}", diagnostics.to_text());

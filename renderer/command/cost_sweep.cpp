@@ -146,7 +146,7 @@ void CostSweep::keep(const Task& task, const Render& render) {
 }
 
 void CostSweep::add_to_row(const Render& render, CostRow& row) {
-  const transport::ImageError error = transport::error_of(render.film().mean(), reference_->image);
+  const image::ImageError error = image::error_of(render.film().mean(), reference_->image);
   const std::lock_guard lock(lock_);
   row.seeds.push_back(render.settings().seed);
   row.rounds.push_back({render.seconds(), error.relmse});

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "renderer/command/cost_efficiency.h"
-#include "renderer/transport/image/image.h"
-#include "renderer/transport/image/image_error.h"
+#include "renderer/image/image.h"
+#include "renderer/image/image_error.h"
 #include "renderer/transport/render.h"
 
 namespace command {
@@ -22,7 +22,7 @@ struct CostSubject {
 };
 
 struct CostReference {
-  transport::Image image;
+  image::Image image;
   double seconds = 0;
   double relmse = 0;  ///< its own relMSE, estimated from its two halves; 0 if it was given
 };

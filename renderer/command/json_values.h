@@ -10,8 +10,8 @@
 
 #include "grf/math.h"
 #include "grf/write.h"
+#include "renderer/image/visible_difference.h"
 #include "renderer/transport/forecast.h"
-#include "renderer/transport/image/visible_difference.h"
 
 namespace command {
 
@@ -49,8 +49,8 @@ inline nlohmann::ordered_json json_of(const std::vector<transport::TargetForecas
 }
 
 /// Returns what is visible of a difference, and how it is seen.
-inline nlohmann::ordered_json json_of(const transport::VisibleDifference& difference,
-                                      const transport::Viewing& viewing) {
+inline nlohmann::ordered_json json_of(const image::VisibleDifference& difference,
+                                      const image::Viewing& viewing) {
   return {{"mean", number_or_null(difference.mean)},
           {"percentile_95", number_or_null(difference.percentile_95)},
           {"exposure", viewing.exposure},

@@ -128,8 +128,8 @@ Rgb subpixel(const Reflector& reflector, int column, int row, int side) {
 
 }  // namespace
 
-transport::Image lit_sphere(const Reflector& reflector, int side) {
-  transport::Image image{side, side, {}};
+image::Image lit_sphere(const Reflector& reflector, int side) {
+  image::Image image{side, side, {}};
   const int fine_side = SphereSubpixels * side;
   for (int i = 0; i < side * side; ++i) {
     Rgb sum(0);

@@ -14,8 +14,8 @@
 #include "grf/wording.h"
 #include "renderer/command/json_values.h"
 #include "renderer/command/render_run.h"
+#include "renderer/image/image_file.h"
 #include "renderer/job/render_job.h"
-#include "renderer/transport/image/image_file.h"
 #include "renderer/transport/plan/table_bytes.h"
 
 namespace command {
@@ -142,8 +142,8 @@ Json json_of_effect(const job::MeasuredEffect& measured) {
 /// Writes both images of an effect to a folder. Returns false after an error.
 bool write_images(const job::MeasuredEffect& measured, const std::string& folder, Diagnostics& diagnostics) {
   const std::string stem = (std::filesystem::path(folder) / name_of(measured.effect)).string();
-  return transport::write_image({measured.full}, stem + "_full.exr", diagnostics) &&
-         transport::write_image({measured.without}, stem + "_without.exr", diagnostics);
+  return image::write_image({measured.full}, stem + "_full.exr", diagnostics) &&
+         image::write_image({measured.without}, stem + "_without.exr", diagnostics);
 }
 
 /// Adds what is measured to the report: all of it, unless a signal stops it.

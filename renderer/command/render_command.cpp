@@ -83,7 +83,7 @@ nlohmann::json summary_of(const transport::Render& render,
 /// The visible difference from the converged image, and the samples with which it is no longer seen; null if
 /// it is not known.
 nlohmann::json visible_difference_of(const transport::Render& render, const RenderOptions& render_options) {
-  transport::Viewing viewing;
+  image::Viewing viewing;
   viewing.exposure = double(render_options.exposure);
   const auto noise = transport::visible_noise(render, viewing);
   if (!noise) return nullptr;
@@ -128,11 +128,11 @@ bool keep(const transport::Render& render, const std::optional<transport::ErrorE
                     totals.first_rejected % width, totals.first_rejected / width,
                     job::cause_text(render.cause_of_rejection().value_or(transport::NotFinite()), scene)));
   }
-  const transport::ImageFile file = image_file_of(render, estimate, scene, view, render_options);
-  const std::vector<std::string> fallbacks = transport::fallback_folders();
+  const image::ImageFile file = image_file_of(render, estimate, scene, view, render_options);
+  const std::vector<std::string> fallbacks = image::fallback_folders();
   bool kept = true;
   for (const std::string& output : outputs) {
-    kept &= transport::keep_image(file, output, fallbacks, diagnostics);
+    kept &= image::keep_image(file, output, fallbacks, diagnostics);
   }
   kept &= write_reports(render, scene, render_options, outputs.front(), diagnostics);
   print(diagnostics);

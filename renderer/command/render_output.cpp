@@ -13,13 +13,13 @@ namespace command {
 namespace {
 
 using grf::Diagnostics;
+using image::ImageAttribute;
+using image::ImageLayer;
 using options::RenderOptions;
 using transport::Film;
-using transport::ImageAttribute;
-using transport::ImageLayer;
 
 bool can_write(const std::string& output, const options::ImageSize& size, Diagnostics& diagnostics) {
-  const transport::ImageFormat* format = transport::image_format_of(output, diagnostics);
+  const image::ImageFormat* format = image::image_format_of(output, diagnostics);
   if (format == nullptr) return false;
   if (std::max(size.width, size.height) <= format->largest_side) {
     return can_write_file(output, "image", diagnostics);
@@ -59,11 +59,11 @@ std::vector<ImageLayer> layers_of(const transport::Render& render, const transpo
     constexpr int FeatureSamples = 16;
     auto features = transport::feature_layers(scene, view, film.width(), film.height(), FeatureSamples,
                                               render_options.seed, render_options.threads);
-    if (asks_for("albedo")) layers.push_back(transport::layer_of("albedo", "RGB", features.albedo));
-    if (asks_for("normal")) layers.push_back(transport::layer_of("normal", "XYZ", features.normal));
+    if (asks_for("albedo")) layers.push_back(image::layer_of("albedo", "RGB", features.albedo));
+    if (asks_for("normal")) layers.push_back(image::layer_of("normal", "XYZ", features.normal));
     if (asks_for("depth")) layers.push_back({"depth", "Z", std::move(features.depth)});
   }
-  if (asks_for("variance")) layers.push_back(transport::layer_of("variance", "RGB", film.variance()));
+  if (asks_for("variance")) layers.push_back(image::layer_of("variance", "RGB", film.variance()));
   if (asks_for("error")) layers.push_back({"error", "", transport::error_map(render)});
   if (asks_for("samples")) layers.push_back(samples_layer(film));
   return layers;
@@ -108,7 +108,7 @@ bool can_write(const std::vector<std::string>& outputs, const RenderOptions& ren
   bool holds_layers = false;
   for (const std::string& output : outputs) {
     if (!can_write(output, render_options.size, diagnostics)) return false;
-    holds_layers |= transport::image_format_of(output, diagnostics)->holds_layers;
+    holds_layers |= image::image_format_of(output, diagnostics)->holds_layers;
   }
   if (!render_options.layers.empty() && !holds_layers) {
     diagnostics.warning(render_options.locations.of("BPT_Layers"),
@@ -117,13 +117,13 @@ bool can_write(const std::vector<std::string>& outputs, const RenderOptions& ren
   return true;
 }
 
-transport::ImageFile image_file_of(const transport::Render& render,
-                                   const std::optional<transport::ErrorEstimate>& estimate,
-                                   const transport::CompiledScene& scene, const transport::View& view,
-                                   const RenderOptions& render_options) {
+image::ImageFile image_file_of(const transport::Render& render,
+                               const std::optional<transport::ErrorEstimate>& estimate,
+                               const transport::CompiledScene& scene, const transport::View& view,
+                               const RenderOptions& render_options) {
   const Film& film = render.film();
   const transport::Camera camera(view, film.width(), film.height());
-  transport::ImageFile file;
+  image::ImageFile file;
   file.image = film.mean();
   file.exposure = render_options.exposure;
   file.screen_width = camera.screen_width();

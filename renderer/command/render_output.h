@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "grf/diagnostics.h"
+#include "renderer/image/image_file.h"
 #include "renderer/options/render_options.h"
-#include "renderer/transport/image/image_file.h"
 #include "renderer/transport/render.h"
 
 namespace command {
@@ -24,9 +24,9 @@ bool can_write_file(const std::string& path, std::string_view what, grf::Diagnos
 /// Returns the image of a finished render with the requested layers and with attributes: each option by its
 /// key (for camera and samples, the values used), the camera, the program's version, the render time in
 /// seconds, the samples per pixel and the given error estimate.
-transport::ImageFile image_file_of(const transport::Render& render,
-                                   const std::optional<transport::ErrorEstimate>& estimate,
-                                   const transport::CompiledScene& scene, const transport::View& view,
-                                   const options::RenderOptions& render_options);
+image::ImageFile image_file_of(const transport::Render& render,
+                               const std::optional<transport::ErrorEstimate>& estimate,
+                               const transport::CompiledScene& scene, const transport::View& view,
+                               const options::RenderOptions& render_options);
 
 }  // namespace command

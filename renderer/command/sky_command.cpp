@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/command/json_values.h"
+#include "renderer/image/image_file.h"
 #include "renderer/sky/sky_map.h"
-#include "renderer/transport/image/image_file.h"
 
 namespace command {
 namespace {
@@ -79,7 +79,7 @@ ExitCode sky(const SkyArguments& arguments) {
   }
   grf::Diagnostics diagnostics;
   const sky::SkyMap map = sky::sky_map(settings);
-  const bool is_written = transport::write_image({map.image}, arguments.output, diagnostics);
+  const bool is_written = image::write_image({map.image}, arguments.output, diagnostics);
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (!is_written) return ExitCode::BadInput;
   print(map, arguments);

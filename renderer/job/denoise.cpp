@@ -11,9 +11,9 @@
 namespace job {
 namespace {
 
+using image::Image;
 using reflectance::Rgb;
 using transport::FeatureLayers;
-using transport::Image;
 
 /// The filter reaches 2 * (2^5 - 1) = 62 pixels.
 constexpr int Levels = 5;

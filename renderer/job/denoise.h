@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 #include "renderer/transport/integrators/feature_layers.h"
 
 namespace job {
@@ -14,8 +14,8 @@ namespace job {
 /// against the standard deviation of the pixels' means. `variance` is that of the means; while it is unknown,
 /// with one sample per pixel, colours stop nothing. All images have one size.
 /// Returns the noisy image if `stops` returns true meanwhile, which is asked a few times.
-transport::Image denoised(
-    const transport::Image& noisy, const transport::Image& variance, bool is_variance_known,
+image::Image denoised(
+    const image::Image& noisy, const image::Image& variance, bool is_variance_known,
     const transport::FeatureLayers& guides, const std::function<bool()>& stops = [] { return false; });
 
 }  // namespace job

@@ -16,10 +16,10 @@
 namespace job {
 namespace {
 
+using image::Image;
 using options::RenderOptions;
 using reflectance::Rgb;
 using transport::Effect;
-using transport::Image;
 using transport::Render;
 using transport::RenderSettings;
 

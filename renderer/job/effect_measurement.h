@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "grf/diagnostics.h"
+#include "renderer/image/image.h"
 #include "renderer/options/render_options.h"
-#include "renderer/transport/image/image.h"
 #include "renderer/transport/plan/plan.h"
 
 namespace job {
@@ -37,8 +37,8 @@ struct MeasuredEffect {
   /// The root of the mean squared difference of pixels and channels, as a fraction of the image's light. The
   /// noise of independent renders does not bias its square. Nothing if the image is black.
   std::optional<double> difference;
-  transport::Image full;     ///< the mean of the renders with all effects
-  transport::Image without;  ///< the same without this one, by the same random numbers
+  image::Image full;     ///< the mean of the renders with all effects
+  image::Image without;  ///< the same without this one, by the same random numbers
 };
 
 struct MeasurementSettings {

@@ -6,16 +6,16 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/image/image_file.h"
 #include "renderer/job/denoise.h"
 #include "renderer/job/preview_stages.h"
 #include "renderer/transport/error_map.h"
-#include "renderer/transport/image/image_file.h"
 
 namespace job {
 namespace {
 
+using image::Image;
 using transport::FilmTile;
-using transport::Image;
 using transport::Render;
 using transport::RenderSettings;
 using Clock = std::chrono::steady_clock;
@@ -255,9 +255,9 @@ void PreviewRender::send_accuracy(int number, const Render& render, bool measure
     return is_replaced(number);
   };
   if (measures_visible_noise) visible_noise_ = transport::visible_noise(render, viewing_, stops);
-  const transport::ImageLayer map = {"", "", transport::error_map(render, stops)};
+  const image::ImageLayer map = {"", "", transport::error_map(render, stops)};
   if (map.values.empty()) return;
-  Image error = transport::image_of(map, render.film().width(), render.film().height());
+  Image error = image::image_of(map, render.film().width(), render.film().height());
   listener_.accuracy(number, std::make_shared<const PreviewAccuracy>(PreviewAccuracy{
                                  in_whole_image(std::move(error), render.settings()), visible_noise_}));
 }

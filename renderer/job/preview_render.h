@@ -27,7 +27,7 @@ enum class PreviewState {
 struct PreviewAccuracy {
   /// The relative standard error of each pixel as grey, see transport::error_map: of the rendered image, even
   /// if the one that is shown is denoised. 0 outside a region.
-  transport::Image error;
+  image::Image error;
   /// With the exposure of the options, and the default distance of the eye; empty while it is not known.
   std::optional<transport::VisibleNoise> visible_noise;
 };
@@ -36,7 +36,7 @@ struct PreviewAccuracy {
 /// request that was just replaced or stopped may still arrive.
 struct PreviewListener {
   /// Receives an image, at first of lower resolution. Progress is that of the full resolution.
-  std::function<void(int request, std::shared_ptr<const transport::Image> image,
+  std::function<void(int request, std::shared_ptr<const image::Image> image,
                      const transport::RenderProgress& progress)>
       image;
   /// Receives the accuracy of images in full resolution before them: of some and of the last one.
@@ -74,16 +74,16 @@ class PreviewRender {
   bool wait_for_resumption(int number);
   void send_image(int number, const transport::Render& render, bool is_last);
   void send_accuracy(int number, const transport::Render& render, bool measures_visible_noise);
-  transport::Image denoised_image(int number, const transport::Render& render, const transport::Image& image);
+  image::Image denoised_image(int number, const transport::Render& render, const image::Image& image);
   bool is_replaced(int number) const { return is_closing_ || number != number_; }
   void replace_locked();
 
   const PreviewListener listener_;
   PreviewScene scene_;
   /// The image of the last finished stage.
-  std::shared_ptr<const transport::Image> last_stage_image_;
+  std::shared_ptr<const image::Image> last_stage_image_;
   bool denoises_ = false;
-  transport::Viewing viewing_;
+  image::Viewing viewing_;
   std::optional<transport::VisibleNoise> visible_noise_;  ///< the last one of the request
   std::optional<transport::FeatureLayers> guides_;        ///< of the current stage, if it is denoised
 

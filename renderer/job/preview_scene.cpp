@@ -52,8 +52,8 @@ std::optional<RenderSettings> PreviewScene::prepare(const PreviewRequest& reques
   return settings;
 }
 
-transport::ImageReader PreviewScene::reader_until(const std::stop_token& stop) const {
-  if (!image_reader_) return transport::read_image;
+image::ImageReader PreviewScene::reader_until(const std::stop_token& stop) const {
+  if (!image_reader_) return image::read_image;
   return [this, stop](const std::string& path, Diagnostics& diagnostics,
                       const grf::SourceLocation& asked_for_at) {
     return image_reader_(path, diagnostics, asked_for_at, stop);

@@ -25,8 +25,8 @@ struct PreviewRequest {
   std::optional<PreviewRegion> region = {};  ///< renders nothing else: the rest of an image is black
 };
 
-/// Reads images as transport::ImageReader does, and cancels when stop is requested.
-using StoppableImageReader = std::function<std::optional<transport::Image>(
+/// Reads images as image::ImageReader does, and cancels when stop is requested.
+using StoppableImageReader = std::function<std::optional<image::Image>(
     const std::string& path, grf::Diagnostics& diagnostics, const grf::SourceLocation& asked_for_at,
     const std::stop_token& stop)>;
 
@@ -54,14 +54,14 @@ class PreviewScene {
   void reuse_environment(const options::RenderOptions& render_options,
                          transport::RenderSettings& settings) const;
 
-  transport::ImageReader reader_until(const std::stop_token& stop) const;
+  image::ImageReader reader_until(const std::stop_token& stop) const;
 
   const StoppableImageReader image_reader_;
   std::optional<PreviewRequest> last_;
   transport::CompileSettings compile_settings_;
   std::shared_ptr<const transport::CompiledScene> compiled_;
   std::shared_ptr<const transport::EnvironmentMap> environment_;
-  std::shared_ptr<const transport::Image> backplate_;
+  std::shared_ptr<const image::Image> backplate_;
   int compilations_ = 0;
 };
 

@@ -7,8 +7,8 @@
 namespace job {
 namespace {
 
+using image::Image;
 using transport::CropWindow;
-using transport::Image;
 using transport::Render;
 using transport::RenderSettings;
 

@@ -29,9 +29,9 @@ std::vector<transport::RenderSettings> preview_stages(const transport::RenderSet
 
 /// Returns the image so far, of the crop window; tiles without samples are filled from `before`, a whole
 /// image of the same view.
-transport::Image completed(const transport::Render& render, const transport::Image& before);
+image::Image completed(const transport::Render& render, const image::Image& before);
 
 /// Returns the whole image of these settings with this one in their crop window, black elsewhere.
-transport::Image in_whole_image(transport::Image cropped, const transport::RenderSettings& settings);
+image::Image in_whole_image(image::Image cropped, const transport::RenderSettings& settings);
 
 }  // namespace job

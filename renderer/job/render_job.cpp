@@ -9,11 +9,11 @@
 #include "grf/read.h"
 #include "grf/relocate.h"
 #include "grf/write.h"
+#include "renderer/image/image.h"
 #include "renderer/job/camera_path.h"
 #include "renderer/options/scheme_model.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/transport/baked_scene.h"
-#include "renderer/transport/image/image.h"
 
 namespace job {
 namespace {
@@ -70,7 +70,7 @@ std::optional<transport::CompileSettings> compile_settings_of(const RenderOption
 }
 
 bool load_environment(const RenderOptions& render_options, transport::RenderSettings& settings,
-                      Diagnostics& diagnostics, const transport::ImageReader& image_reader) {
+                      Diagnostics& diagnostics, const image::ImageReader& image_reader) {
   const std::string& path = render_options.environment;
   if (path.empty()) return true;
   const grf::SourceLocation location = render_options.locations.of("BPT_EM_Background");
@@ -85,7 +85,7 @@ bool load_environment(const RenderOptions& render_options, transport::RenderSett
   if (render_options.projection == "backplate") {
     if (settings.backplate) return true;
     auto image = read_scaled(path, diagnostics, location);
-    if (image) settings.backplate = std::make_shared<const transport::Image>(std::move(*image));
+    if (image) settings.backplate = std::make_shared<const image::Image>(std::move(*image));
     return settings.backplate != nullptr;
   }
   if (render_options.resampling) {

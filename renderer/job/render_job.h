@@ -56,7 +56,7 @@ bool has_view_direction(const transport::View& view, grf::Diagnostics& diagnosti
 /// Loads the environment map or backplate into the settings, unless it is there already.
 bool load_environment(const options::RenderOptions& render_options, transport::RenderSettings& settings,
                       grf::Diagnostics& diagnostics,
-                      const transport::ImageReader& image_reader = transport::read_image);
+                      const image::ImageReader& image_reader = image::read_image);
 /// Returns whether the number of samples is limited: not if only a target error or a time limit is given.
 bool has_sample_limit(const options::RenderOptions& render_options);
 /// Reports an error if the scene has nothing to render.

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "renderer/image/image.h"
 #include "renderer/sky/sun_position.h"
-#include "renderer/transport/image/image.h"
 
 namespace sky {
 
@@ -25,7 +25,7 @@ constexpr double SunDiameter = 0.533;
 
 /// A latitude-longitude map, and what it shows.
 struct SkyMap {
-  transport::Image image;  ///< linear sRGB, whose luminance is in kcd/m2
+  image::Image image;  ///< linear sRGB, whose luminance is in kcd/m2
   SunPosition sun;
   double sky_illuminance = 0;  ///< of a horizontal surface, klux
   double sun_illuminance = 0;  ///< likewise

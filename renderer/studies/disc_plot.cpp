@@ -6,13 +6,14 @@
 #include <string>
 
 #include "grf/srgb.h"
-#include "renderer/transport/image/image_encoders.h"
+#include "renderer/image/encoders.h"
+#include "renderer/reflectance/geometry.h"
 
 namespace studies {
 namespace {
 
+using grf::Colour;
 using plot::Point;
-using reflectance::Rgb;
 using reflectance::Vec3f;
 
 constexpr int Subpixels = 2;  // along a side
@@ -55,13 +56,13 @@ DiscMap::DiscMap(const std::function<double(const Vec3f&)>& function) {
 }
 
 void draw(const DiscMap& map, const plot::ColourScale& scale, const plot::Rectangle& place, plot::Svg& svg) {
-  transport::Image image{DiscMap::Side, DiscMap::Side, {}};
-  const Rgb background = grf::srgb_decoded(svg.shaded(grf::Colour(1)));
+  image::Image image{DiscMap::Side, DiscMap::Side, {}};
+  const Colour background = grf::srgb_decoded(svg.shaded(grf::Colour(1)));
   for (const DiscMap::Pixel& pixel : map.pixels()) {
-    const Rgb colour = grf::srgb_decoded(scale.colour(pixel.value));
+    const Colour colour = grf::srgb_decoded(scale.colour(pixel.value));
     image.pixels.push_back(colour * pixel.coverage + background * (1 - pixel.coverage));
   }
-  svg.image(place.corner, place.width, place.height, transport::encode_png({image}));
+  svg.image(place.corner, place.width, place.height, image::encode_png({image}));
   const Point centre = place.corner + Point(place.width, place.height) / 2;
   for (const double degrees : {30.0, 60.0}) {
     svg.circle(centre, place.width / 2 * std::sin(degrees * std::numbers::pi / 180), {"#999", 0.5, "2 3"});

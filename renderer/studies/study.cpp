@@ -6,6 +6,7 @@
 #include "grf/read.h"
 #include "grf/text_file.h"
 #include "grf/wording.h"
+#include "renderer/image/image.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/studies/brdf_viewer/tool.h"
 #include "renderer/studies/environment/viewer.h"
@@ -13,7 +14,6 @@
 #include "renderer/studies/mini/render.h"
 #include "renderer/studies/rejection/tool.h"
 #include "renderer/studies/subdivision/tool.h"
-#include "renderer/transport/image/image.h"
 
 namespace studies {
 namespace {
@@ -33,7 +33,7 @@ bool check_count(const ToolState& state, std::size_t found, std::size_t expected
 std::optional<grf::Scene> read_model(const ToolState::File& file, const StudyContext& context,
                                      grf::Diagnostics& diagnostics) {
   if (context.read_scene) return context.read_scene(file.path, diagnostics);
-  if (transport::has_extension(file.path, "grf") || transport::has_extension(file.path, "igrf"))
+  if (image::has_extension(file.path, "grf") || image::has_extension(file.path, "igrf"))
     return grf::read(file.path, diagnostics);
   diagnostics.error(file.location,
                     fmt::format("'{}' is no GRF scene: convert it with grfconvert", file.path));
@@ -94,7 +94,7 @@ std::vector<DataFile> data_files_of(const Study& study) {
 bool write_data(const Study& study, const std::string& path, grf::Diagnostics& diagnostics) {
   std::vector<std::string> extensions;
   for (const DataFile& file : data_files_of(study)) {
-    if (transport::has_extension(path, file.extension)) return file.write(path, diagnostics);
+    if (image::has_extension(path, file.extension)) return file.write(path, diagnostics);
     extensions.push_back('.' + file.extension);
   }
   diagnostics.error(grf::whole_file(path),

@@ -6,9 +6,9 @@
 #include <limits>
 #include <numbers>
 
+#include "renderer/image/image_error.h"
 #include "renderer/parallel/loops.h"
 #include "renderer/reflectance/schemes/own_scheme.h"
-#include "renderer/transport/image/image_error.h"
 #include "renderer/transport/integrators/shading_point.h"
 
 namespace transport {
@@ -160,7 +160,7 @@ double Bake::deviation(const BakeTally& tally, int half) const {
   const BakeTally::Pilot& pilot = tally.pilots[static_cast<std::size_t>(half)];
   const double mean = pilot.sum / PilotSamples;
   const double variance = std::max(0.0, pilot.squares / PilotSamples - mean * mean);
-  return std::sqrt(variance / (mean * mean + RelmseFloor));
+  return std::sqrt(variance / (mean * mean + image::RelmseFloor));
 }
 
 // A pilot can miss rare events: each vertex counts with at least a quarter of the mean deviation.
@@ -347,7 +347,7 @@ std::optional<double> Bake::estimated_error() const {
     const Imath::V3d b = radiance(i, 1);
     for (int k = 0; k < 3; ++k) {
       const double mean = (a[k] + b[k]) / 2;
-      sum += (a[k] - b[k]) * (a[k] - b[k]) / 4 / (mean * mean + RelmseFloor);
+      sum += (a[k] - b[k]) * (a[k] - b[k]) / 4 / (mean * mean + image::RelmseFloor);
     }
     counted += 3;
   }

@@ -184,7 +184,7 @@ bool DisplayClient::send_row(int row) {
     const TileBounds start = render_.film().bounds_of(first);
     const TileBounds end = render_.film().bounds_of(last - 1);
     const TileBounds bounds = {start.x, start.y, end.x + end.width - start.x, start.height};
-    Image part{bounds.width, bounds.height, std::vector<Rgb>(bounds.pixel_count())};
+    image::Image part{bounds.width, bounds.height, std::vector<Rgb>(bounds.pixel_count())};
     for (int i = first; i < last; ++i) {
       render_.copy_tile(i, tile);
       sent_[static_cast<std::size_t>(i)] = tile.sample_count();

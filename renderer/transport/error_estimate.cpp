@@ -5,10 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/transport/image/image_error.h"
+#include "renderer/image/image_error.h"
 
 namespace transport {
 namespace {
+
+using image::RelmseFloor;
 
 constexpr int PixelChannels = 3;
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/image/image_error.h"
 #include "renderer/parallel/loops.h"
-#include "renderer/transport/image/image_error.h"
 
 namespace transport {
 namespace {
@@ -96,7 +96,8 @@ double FilmTile::spread_since(const FilmTile& before, int scrambling) const {
     const Imath::V3d& all = pixels[i][half];
     const Imath::V3d difference = early / n - (all - early) / m;
     const Imath::V3d mean = all / (n + m);
-    for (int k = 0; k < 3; ++k) sum += difference[k] * difference[k] / (mean[k] * mean[k] + RelmseFloor);
+    for (int k = 0; k < 3; ++k)
+      sum += difference[k] * difference[k] / (mean[k] * mean[k] + image::RelmseFloor);
   }
   return sum / (1 / n + 1 / m);
 }
@@ -135,8 +136,8 @@ void Film::put_back(int tile, const FilmTile& copy, const ErrorSums& error_sums)
 std::uint32_t Film::sample_count(int x, int y) const { return sample_count_of(tile_of(x, y)); }
 
 template <class Function>
-Image Film::image_of(Function function) const {
-  Image image{width_, height_, std::vector<Rgb>(pixels_.size())};
+image::Image Film::image_of(Function function) const {
+  image::Image image{width_, height_, std::vector<Rgb>(pixels_.size())};
   FilmTile copy;
   for (int tile = 0; tile < tile_count(); ++tile) {
     copy_tile(tile, copy);
@@ -146,11 +147,11 @@ Image Film::image_of(Function function) const {
   return image;
 }
 
-Image Film::mean() const {
+image::Image Film::mean() const {
   return image_of([](const FilmTile& tile, std::size_t i) { return tile.mean(i); });
 }
 
-Image Film::variance() const {
+image::Image Film::variance() const {
   return image_of([](const FilmTile& tile, std::size_t i) { return tile.variance(i); });
 }
 

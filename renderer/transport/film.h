@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/image/image.h"
 #include "renderer/reflectance/geometry.h"
 #include "renderer/transport/error_estimate.h"
-#include "renderer/transport/image/image.h"
 #include "renderer/transport/tile_bounds.h"
 
 namespace transport {
@@ -90,10 +90,10 @@ class Film {
   std::uint32_t sample_count(int x, int y) const;
 
   /// The mean of each pixel's samples; black without samples.
-  Image mean() const;
+  image::Image mean() const;
 
   /// The variance of each pixel's mean, from its two halves; 0 for a pixel with only one.
-  Image variance() const;
+  image::Image variance() const;
 
   /// Estimates the error of the image, on the threads of the enclosing loop; empty while no pixel has both
   /// halves. Tiles with only one half are left out.
@@ -122,7 +122,7 @@ class Film {
   ErrorSums sums_with_neighbours(int tile) const;
   std::vector<ErrorSums> sums_of_tiles() const;
   template <class Function>
-  Image image_of(Function function) const;
+  image::Image image_of(Function function) const;
 
   int width_;
   int height_;
@@ -132,7 +132,7 @@ class Film {
 
 /// Writes a tile into an image; `function` returns the value for a pixel's index in the tile.
 template <class Function>
-void write_tile(const TileBounds& bounds, Function function, Image& image) {
+void write_tile(const TileBounds& bounds, Function function, image::Image& image) {
   std::size_t from = 0;
   for (int y = bounds.y; y < bounds.y + bounds.height; ++y) {
     std::size_t to = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +

@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "renderer/image/image_error.h"
 #include "renderer/parallel/loops.h"
-#include "renderer/transport/image/image_error.h"
 #include "renderer/transport/processor_clock.h"
 
 namespace transport {
@@ -50,8 +50,9 @@ class PixelParts {
           covariance += (images[i][channel] - part_mean[channel]) * (total[i][channel] - mean[channel]);
         }
         covariance /= static_cast<double>(images_ - 1);
-        sums.noise[part] += covariance / (mean[channel] * mean[channel] + RelmseFloor);
-        sums.light[part] += part_mean[channel] / std::sqrt(mean[channel] * mean[channel] + RelmseFloor);
+        sums.noise[part] += covariance / (mean[channel] * mean[channel] + image::RelmseFloor);
+        sums.light[part] +=
+            part_mean[channel] / std::sqrt(mean[channel] * mean[channel] + image::RelmseFloor);
       }
     }
   }
@@ -162,19 +163,19 @@ std::vector<NoiseShare> shares_of(const Sums& sums) {
 }
 
 /// The variance of a row's pixels, relative to their radiance, from independent images.
-double row_variance(const std::vector<Image>& images, int y) {
+double row_variance(const std::vector<image::Image>& images, int y) {
   const auto count = static_cast<double>(images.size());
   double sum = 0;
   for (int x = 0; x < images.front().width; ++x) {
     for (int channel = 0; channel < 3; ++channel) {
       double mean = 0;
-      for (const Image& image : images) mean += double(image.at(x, y)[channel]) / count;
+      for (const image::Image& image : images) mean += double(image.at(x, y)[channel]) / count;
       double squares = 0;
-      for (const Image& image : images) {
+      for (const image::Image& image : images) {
         const double difference = double(image.at(x, y)[channel]) - mean;
         squares += difference * difference;
       }
-      sum += squares / (count - 1) / (mean * mean + RelmseFloor);
+      sum += squares / (count - 1) / (mean * mean + image::RelmseFloor);
     }
   }
   return sum / (3.0 * images.front().width);
@@ -226,7 +227,8 @@ std::optional<NoiseShares> noise_shares(const CompiledScene& scene, const Render
 namespace {
 
 /// Renders an image, and adds the processor time that it takes.
-Image timed_image(const CompiledScene& scene, const RenderSettings& settings, int number, double& seconds) {
+image::Image timed_image(const CompiledScene& scene, const RenderSettings& settings, int number,
+                         double& seconds) {
   RenderSettings of_image = settings;
   of_image.seed += static_cast<std::uint32_t>(number);
   Render render(scene, of_image);
@@ -247,7 +249,7 @@ double seconds_of_image(const CompiledScene& scene, const RenderSettings& settin
 std::optional<MeasuredNoise> measure_noise(const CompiledScene& scene, const RenderSettings& settings,
                                            int images, const std::atomic<bool>& stopped,
                                            const std::function<void(int)>& after_image) {
-  std::vector<Image> means;
+  std::vector<image::Image> means;
   MeasuredNoise measured;
   for (int i = 0; i < images; ++i) {
     if (stopped) return std::nullopt;

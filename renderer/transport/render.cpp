@@ -310,7 +310,7 @@ std::optional<Rgb> Render::backplate_at(float x, float y) const {
     return std::min(static_cast<int>(place / static_cast<float>(size) * static_cast<float>(count)),
                     count - 1);
   };
-  const Image& plate = *settings_.backplate;
+  const image::Image& plate = *settings_.backplate;
   return plate.at(index_of(x, settings_.width, plate.width), index_of(y, settings_.height, plate.height));
 }
 

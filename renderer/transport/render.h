@@ -44,8 +44,9 @@ struct RenderSettings {
   std::optional<CropWindow> crop;
   View view;
   IntegratorSettings integrator;
-  std::shared_ptr<const Image> backplate;  ///< image behind the scene, fitted to the image plane; null: none
-  int samples = 100;                       ///< per pixel, at most; the mean over pixels if adaptive
+  std::shared_ptr<const image::Image>
+      backplate;      ///< image behind the scene, fitted to the image plane; null: none
+  int samples = 100;  ///< per pixel, at most; the mean over pixels if adaptive
   /// Adaptive sampling, see AdaptiveSampling. Has no effect unless `pixel_sampling` is Sobol.
   bool adaptive = false;
   /// Stops once the estimated error is at most this, and its upper bound at most `ErrorMargin` times this.
@@ -83,8 +84,8 @@ struct RenderProgress {
 
 /// An image at some moment of its render.
 struct Snapshot {
-  Image mean;
-  Image variance;  ///< of the mean; empty unless asked for
+  image::Image mean;
+  image::Image variance;  ///< of the mean; empty unless asked for
 };
 
 /// Why a render ended.

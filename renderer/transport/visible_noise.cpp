@@ -8,6 +8,11 @@
 namespace transport {
 namespace {
 
+using image::Image;
+using image::SeenImage;
+using image::Viewing;
+using image::VisibleDifference;
+
 constexpr std::int64_t MostPixels = std::int64_t{8192} * 4096;
 
 /// An image, and the difference of its halves with the variance of the image.
@@ -49,17 +54,17 @@ std::optional<VisibleDifference> difference_with(const HalvedImage& image, const
   std::vector<float> differences;
   for (const float sign : {1.0F, -1.0F}) {
     if (stops()) return std::nullopt;
-    const SeenImage other = seen(image.with(sign * factor), viewing);
+    const SeenImage other = image::seen(image.with(sign * factor), viewing);
     if (stops()) return std::nullopt;
-    const std::vector<float> of_sign = visible_differences(other, mean);
+    const std::vector<float> of_sign = image::visible_differences(other, mean);
     differences.insert(differences.end(), of_sign.begin(), of_sign.end());
   }
-  return summary_of(std::move(differences));
+  return image::summary_of(std::move(differences));
 }
 
 std::optional<VisibleNoise> noise_of(const HalvedImage& image, const Viewing& viewing, double samples,
                                      const std::function<bool()>& stops) {
-  const SeenImage mean = seen(image.mean, viewing);
+  const SeenImage mean = image::seen(image.mean, viewing);
   const auto difference = difference_with(image, mean, viewing, 1, stops);
   if (!difference) return std::nullopt;
   if (!(difference->percentile_95 > 0)) return VisibleNoise{*difference, 0};

@@ -4,14 +4,14 @@
 #include <functional>
 #include <optional>
 
-#include "renderer/transport/image/visible_difference.h"
+#include "renderer/image/visible_difference.h"
 #include "renderer/transport/render.h"
 
 namespace transport {
 
 /// An estimate of the visible difference between an image and the one that it converges to.
 struct VisibleNoise {
-  VisibleDifference difference;
+  image::VisibleDifference difference;
   /// The samples per pixel with which the 95th percentile of the differences falls below 1, if the variance
   /// falls as 1 / samples; 0 if nothing is seen. Low-discrepancy samples need fewer.
   double samples_needed = 0;
@@ -27,6 +27,7 @@ struct VisibleNoise {
 /// May be called from any thread while the render runs, and works on the threads of its settings. Empty if
 /// `stops` returns true meanwhile, which is asked a few times.
 std::optional<VisibleNoise> visible_noise(
-    const Render& render, const Viewing& viewing, const std::function<bool()>& stops = [] { return false; });
+    const Render& render, const image::Viewing& viewing,
+    const std::function<bool()>& stops = [] { return false; });
 
 }  // namespace transport

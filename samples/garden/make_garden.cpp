@@ -12,7 +12,7 @@
 
 #include "grf/read.h"
 #include "grf/write.h"
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 #include "samples/shapes/scene_text.h"
 
 namespace {
@@ -267,12 +267,12 @@ std::string scene() {
 }
 
 /// Slabs in rows that are shifted by half, with gaps, flecks and a shade of their own; it repeats.
-transport::Image paving() {
+image::Image paving() {
   constexpr int Size = 256;
   Random random(4);
   std::array<double, 16> shades = {};
   for (double& shade : shades) shade = random(0.75, 1.05);
-  transport::Image image{Size, Size, {}};
+  image::Image image{Size, Size, {}};
   for (int y = 0; y < Size; ++y) {
     const int row = y / 64;
     for (int x = 0; x < Size; ++x) {
@@ -300,7 +300,7 @@ int main(int argc, char** argv) {
   grf::Diagnostics diagnostics;
   const auto garden = grf::read_text(scene(), folder + "/garden.grf", diagnostics);
   const bool is_written = garden && grf::write(*garden, folder + "/garden.grf", diagnostics) &&
-                          transport::write_image({paving()}, folder + "/paving.png", diagnostics);
+                          image::write_image({paving()}, folder + "/paving.png", diagnostics);
   if (!is_written) fmt::print(stderr, "{}", diagnostics.to_text());
   return is_written ? 0 : 1;
 }

@@ -164,7 +164,7 @@ BENCHMARK(tree_build)->Arg(1000)->Arg(100'000)->Arg(1'000'000)->Unit(benchmark::
 transport::EnvironmentMap sky(int height) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> number(0, 1);
-  transport::Image image{2 * height, height, {}};
+  image::Image image{2 * height, height, {}};
   for (int i = 0; i < 2 * height * height; ++i) image.pixels.emplace_back(number(random));
   image.pixels[static_cast<std::size_t>(height * height / 2)] = Rgb(1000);
   return transport::EnvironmentMap(std::move(image));

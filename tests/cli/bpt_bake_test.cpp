@@ -9,7 +9,7 @@
 
 #include "grf/read.h"
 #include "grf/visit.h"
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 #include "tests/cli/bpt.h"
 #include "tests/support/paths.h"
 
@@ -84,7 +84,7 @@ TEST_F(BptBake, HoldsTheLightOfAClosedBox) {
         "BPT_Image_Resolution 8 8\n");
   ASSERT_EQ(bpt({"render", path("box.op"), "--output", path("box.pfm")}).exit_code, 0);
   grf::Diagnostics diagnostics;
-  const auto image = transport::read_image(path("box.pfm"), diagnostics);
+  const auto image = image::read_image(path("box.pfm"), diagnostics);
   ASSERT_TRUE(image) << diagnostics.to_text();
   for (const auto& pixel : image->pixels) EXPECT_NEAR(pixel.x, 0.5 + 0.5 * arriving, 0.02);
 }

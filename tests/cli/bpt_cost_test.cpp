@@ -7,7 +7,7 @@
 
 #include "renderer/command/cost_efficiency.h"
 #include "renderer/command/cost_fit.h"
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 #include "tests/cli/bpt.h"
 #include "tests/support/paths.h"
 #include "tests/support/svg_reading.h"
@@ -311,12 +311,12 @@ TEST_F(BptCost, MeasuresARegion) {
   const std::vector<std::string> small = {"--size", "16x12", "--samples", "2,4", "--reference-samples", "32"};
   report(scene, small);
   grf::Diagnostics diagnostics;
-  const auto whole = transport::read_image(path("study-reference.pfm"), diagnostics);
+  const auto whole = image::read_image(path("study-reference.pfm"), diagnostics);
   std::vector<std::string> cropped = small;
   cropped.insert(cropped.end(), {"--crop", "5", "3", "6", "4"});
   const json study = report(scene, cropped);
   EXPECT_EQ(study["crop"], (json{5, 3, 6, 4}));
-  const auto part = transport::read_image(path("study-reference.pfm"), diagnostics);
+  const auto part = image::read_image(path("study-reference.pfm"), diagnostics);
   ASSERT_TRUE(whole && part) << diagnostics.to_text();
   ASSERT_EQ(part->width, 6);
   ASSERT_EQ(part->height, 4);

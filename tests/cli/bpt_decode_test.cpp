@@ -1,7 +1,7 @@
 #include <string>
 #include <string_view>
 
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 #include "tests/cli/bpt.h"
 
 namespace {
@@ -54,10 +54,10 @@ TEST_F(BptDecode, TakesNamesThatBeginWithAHyphen) {
 
 // A layer "z" of the channel "z", which has no letter, and a layer "n" of X and Y, of one pixel.
 TEST_F(BptDecode, AppendsTheLayersOfAnExr) {
-  transport::ImageFile file{{1, 1, {reflectance::Rgb(1, 2, 0.5F)}}};
+  image::ImageFile file{{1, 1, {grf::Colour(1, 2, 0.5F)}}};
   file.layers = {{"n", "XY", {0.5F, -1}}, {"z", "", {2}}};
   grf::Diagnostics diagnostics;
-  ASSERT_TRUE(transport::write_image(file, path("layers.exr"), diagnostics)) << diagnostics.to_text();
+  ASSERT_TRUE(image::write_image(file, path("layers.exr"), diagnostics)) << diagnostics.to_text();
   const std::string_view raw =
       "\x01\x00\x00\x00\x01\x00\x00\x00\x00\x00\x80\x3f\x00\x00\x00\x40\x00\x00\x00\x3f"sv;
   const std::string_view layers =

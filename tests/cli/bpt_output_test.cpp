@@ -12,21 +12,21 @@
 #include <ImfStringAttribute.h>
 #include <sys/stat.h>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 #include "tests/cli/bpt.h"
 #include "tests/support/paths.h"
 
 namespace {
 
+using image::Image;
 using test::Outcome;
 using test::Quad;
-using transport::Image;
 
 class BptOutput : public test::Bpt {
  protected:
   Image read(const std::string& name) const {
     grf::Diagnostics diagnostics;
-    const auto image = transport::read_image(name, diagnostics);
+    const auto image = image::read_image(name, diagnostics);
     EXPECT_TRUE(image) << diagnostics.to_text();
     return image.value_or(Image());
   }

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 #include "tests/cli/bpt.h"
 
 namespace {
@@ -38,7 +38,7 @@ TEST_F(BptSky, WritesAMapAndTellsWhatItShows) {
   EXPECT_NEAR(report["sun_azimuth"].get<double>(), 194.34, 0.2) << "half a minute earlier";
   EXPECT_NEAR(report["sun_elevation"].get<double>(), 39.87, 0.05);
   grf::Diagnostics diagnostics;
-  const auto image = transport::read_image(map_, diagnostics);
+  const auto image = image::read_image(map_, diagnostics);
   ASSERT_TRUE(image) << diagnostics.to_text();
   EXPECT_EQ(image->width, 128);
   EXPECT_EQ(image->height, 64);

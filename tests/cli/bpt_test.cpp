@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 #include "tests/support/paths.h"
 
 namespace {
@@ -171,8 +171,8 @@ TEST_F(Bpt, RendersTheCameraThatIsNamed) {
   ASSERT_EQ(bpt({"render", op, "--camera", "the front", "--output", path("front.pfm")}).err, "");
   ASSERT_EQ(bpt({"render", op, "--camera", "away", "--output", path("away.pfm")}).err, "");
   grf::Diagnostics diagnostics;
-  const auto front = transport::read_image(path("front.pfm"), diagnostics);
-  const auto away = transport::read_image(path("away.pfm"), diagnostics);
+  const auto front = image::read_image(path("front.pfm"), diagnostics);
+  const auto away = image::read_image(path("away.pfm"), diagnostics);
   ASSERT_TRUE(front && away);
   EXPECT_GT(front->at(4, 4).x, 0);
   EXPECT_EQ(away->at(4, 4).x, 0);

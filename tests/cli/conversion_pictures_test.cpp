@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 #include "tests/cli/bpt.h"
 #include "tests/cli/grfconvert.h"
 #include "tests/statistics/chi_square.h"
@@ -115,7 +115,7 @@ class ConversionPictures : public test::Bpt, public testing::WithParamInterface<
                                          "3", "--seed", std::to_string(++seed_), "--output", image});
       EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
       grf::Diagnostics diagnostics;
-      const auto picture = transport::read_image(image, diagnostics);
+      const auto picture = image::read_image(image, diagnostics);
       EXPECT_TRUE(picture.has_value()) << diagnostics.to_text();
       if (picture) statistics.add(*picture);
     }

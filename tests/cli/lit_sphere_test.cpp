@@ -14,14 +14,14 @@ namespace {
 constexpr int Side = 60;
 constexpr double Radius = 0.47 * Side;
 
-transport::Image sphere_of(const char* brdf) {
+image::Image sphere_of(const char* brdf) {
   return lit_sphere(reflectance::Reflector(test::brdf_of(brdf), reflectance::OwnScheme()), Side);
 }
 
 double distance_from_centre(int x, int y) { return std::hypot(x + 0.5 - Side / 2.0, y + 0.5 - Side / 2.0); }
 
 TEST(LitSphere, IsADiscOnWhite) {
-  const transport::Image black = sphere_of("diffuse kd=0");
+  const image::Image black = sphere_of("diffuse kd=0");
   double area = 0;
   for (int y = 0; y < Side; ++y) {
     for (int x = 0; x < Side; ++x) {
@@ -37,7 +37,7 @@ TEST(LitSphere, IsADiscOnWhite) {
 }
 
 TEST(LitSphere, HasItsWindowAtTheUpperLeft) {
-  const transport::Image white = sphere_of("diffuse kd=0.8");
+  const image::Image white = sphere_of("diffuse kd=0.8");
   const auto at = [&white](double right, double up) {
     return white.at(static_cast<int>(Side * (1 + right) / 2), static_cast<int>(Side * (1 - up) / 2)).x;
   };

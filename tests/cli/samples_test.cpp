@@ -12,10 +12,10 @@
 #include "grf/check.h"
 #include "grf/read.h"
 #include "grf/summary.h"
+#include "renderer/image/image.h"
 #include "renderer/options/op_file.h"
 #include "renderer/plot/svg.h"
 #include "renderer/reflectance/scheme.h"
-#include "renderer/transport/image/image.h"
 #include "tests/support/paths.h"
 #include "tests/support/run.h"
 #include "tests/support/temporary_folder.h"
@@ -147,8 +147,8 @@ TEST(Shapes, OfTheScenesAreWhatTheirProgramMakes) {
 /// Returns the maximum relative difference of two images.
 float largest_difference(const std::string& path, const std::string& other_path) {
   grf::Diagnostics diagnostics;
-  const auto image = transport::read_image(path, diagnostics);
-  const auto other = transport::read_image(other_path, diagnostics);
+  const auto image = image::read_image(path, diagnostics);
+  const auto other = image::read_image(other_path, diagnostics);
   if (!image || !other || image->pixels.size() != other->pixels.size()) return HUGE_VALF;
   float largest = 0;
   for (std::size_t i = 0; i < image->pixels.size(); ++i) {
@@ -175,7 +175,7 @@ TEST(Environments, AreWhatTheirProgramMakes) {
 // and Spencer 1942).
 TEST(Environments, AreOvercastAsMoonAndSpencerSay) {
   grf::Diagnostics diagnostics;
-  const auto map = transport::read_image(Samples + "environments/overcast.exr", diagnostics);
+  const auto map = image::read_image(Samples + "environments/overcast.exr", diagnostics);
   ASSERT_TRUE(map);
   const double zenith = double(map->at(0, 0).y);
   double sum = 0;
@@ -215,7 +215,7 @@ double light_of_garden(const std::string& left_out) {
                  "--samples", "128", "--seed", "7000", "--without", left_out, "--output", image});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   grf::Diagnostics diagnostics;
-  const auto read = transport::read_image(image, diagnostics);
+  const auto read = image::read_image(image, diagnostics);
   if (!read) return 0;
   double sum = 0;
   for (const auto& pixel : read->pixels) sum += static_cast<double>(pixel.x) + pixel.y + pixel.z;

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/image/image.h"
 #include "renderer/options/op_file.h"
 #include "renderer/plot/svg.h"
-#include "renderer/transport/image/image.h"
 #include "samples/studies/thesis/printed.h"
 #include "tests/support/camera_image.h"
 #include "tests/support/paths.h"
@@ -36,7 +36,7 @@ class ThesisScenes : public testing::Test {
     const auto outcome = test::run(
         {GRANADA_BIN_DIR "/bpt", scenes_ + name + ".op", "--size", size, "--samples", "4", "--output", file});
     grf::Diagnostics diagnostics;
-    auto image = transport::read_image(file, diagnostics);
+    auto image = image::read_image(file, diagnostics);
     const auto options = options::read_op_file(scenes_ + name + ".op", diagnostics);
     if (outcome.exit_code != 0 || !image || !options) {
       throw std::runtime_error(outcome.err + diagnostics.to_text());
@@ -115,7 +115,7 @@ TEST_F(ThesisScenes, ShowThreeJugs) {
 TEST_F(ThesisScenes, ShowAJugInItsEnvironment) {
   const test::CameraImage jug = rendered("jug", "24x16");
   grf::Diagnostics diagnostics;
-  const auto map = transport::read_image(Samples + "environments/studio.exr", diagnostics);
+  const auto map = image::read_image(Samples + "environments/studio.exr", diagnostics);
   ASSERT_TRUE(map) << diagnostics.to_text();
   float brightest = 0;
   for (const auto& texel : map->pixels) brightest = std::max(brightest, texel.y);

@@ -10,9 +10,9 @@
 
 namespace {
 
+using image::Image;
 using reflectance::Rgb;
 using transport::FeatureLayers;
-using transport::Image;
 
 constexpr int Side = 96;
 

@@ -84,10 +84,10 @@ inline job::PreviewRequest request(grf::Scene scene, int width = 96, int height 
 /// square of half side 1 at height 3, with a form factor of 4/pi s atan(s) = 0.123, s = sqrt(1/10): the
 /// diffuse part reflects 0.4 times 5 times that, and the glossy part and the wall add less than 0.3 + 0.3 * 5
 /// * 0.123.
-inline transport::Rgb floor_of_corner(const transport::Image& image) {
+inline transport::Rgb floor_of_corner(const image::Image& image) {
   return CameraImage(image, {0, 2, 6}, {0, 0.5, 0}, 45).at(grf::Vec3d(0));
 }
-inline void expect_lit_corner(const transport::Image& image) {
+inline void expect_lit_corner(const image::Image& image) {
   const transport::Rgb floor = floor_of_corner(image);
   EXPECT_GT(floor.x, 0.2F);
   EXPECT_LT(floor.x, 0.75F);
@@ -99,7 +99,7 @@ inline void expect_lit_corner(const transport::Image& image) {
 class PreviewRecorder {
  public:
   struct Event {
-    std::shared_ptr<const transport::Image> image;
+    std::shared_ptr<const image::Image> image;
     transport::RenderProgress progress;
     std::chrono::steady_clock::time_point time = std::chrono::steady_clock::now();
   };

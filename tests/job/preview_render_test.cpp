@@ -25,7 +25,7 @@ double milliseconds_between(Clock::time_point start, Clock::time_point end) {
   return std::chrono::duration<double, std::milli>(end - start).count();
 }
 
-transport::Image rendered(const options::RenderOptions& render_options) {
+image::Image rendered(const options::RenderOptions& render_options) {
   grf::Diagnostics diagnostics;
   const auto render_job = job::render_job(render_options, diagnostics);
   if (!render_job) throw std::runtime_error(diagnostics.to_text());
@@ -66,7 +66,7 @@ TEST(Preview, BeginsCoarseAndEndsWithTheImageOfTheRender) {
 /// Nothing else is traced: the pixels are those of the whole render, and the others are black.
 TEST(Preview, RendersOnlyItsRegion) {
   PreviewRequest request = sample_request("cornell_box/cornell_box.grf");
-  const transport::Image whole = rendered(request.options);
+  const image::Image whole = rendered(request.options);
   for (const bool denoises : {false, true}) {
     request.region = job::PreviewRegion{0.3, 0.25, 0.7, 0.9};
     request.denoises = denoises;
@@ -75,7 +75,7 @@ TEST(Preview, RendersOnlyItsRegion) {
     const int number = preview.start(request);
     ASSERT_TRUE(recorder.reaches(number, PreviewState::Done)) << recorder.text(number);
     const auto images = recorder.images(number);
-    const transport::Image& last = *images.back().image;
+    const image::Image& last = *images.back().image;
     ASSERT_EQ(last.width, whole.width);
     ASSERT_EQ(last.height, whole.height);
     double lit = 0;
@@ -107,8 +107,8 @@ TEST(Preview, MeasuresTheErrorOfItsPixels) {
     const int number = preview.start(request);
     ASSERT_TRUE(recorder.reaches(number, PreviewState::Done)) << recorder.text(number);
     ASSERT_FALSE(recorder.accuracies(number).empty());
-    const transport::Image& error = recorder.accuracies(number).back()->error;
-    const transport::Image& image = *recorder.images(number).back().image;
+    const image::Image& error = recorder.accuracies(number).back()->error;
+    const image::Image& image = *recorder.images(number).back().image;
     ASSERT_EQ(error.width, 96);
     ASSERT_EQ(error.height, 72);
     double squares = 0;

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 #include "tests/job/preview_helpers.h"
 #include "tests/support/temporary_folder.h"
 
@@ -77,9 +77,9 @@ TEST_F(PreviewSceneTest, KeepsWhatCastsRaysWhereSurfacesAloneChange) {
 TEST_F(PreviewSceneTest, ReadsTexturesAnewThatChanged) {
   const std::string path = folder_.path("scene.grf");
   const auto write = [&](const transport::Rgb& colour) {
-    transport::ImageFile file;
+    image::ImageFile file;
     file.image = {2, 2, std::vector<transport::Rgb>(4, colour)};
-    ASSERT_TRUE(transport::keep_image(file, folder_.path("paper.pfm"), {}, diagnostics_));
+    ASSERT_TRUE(image::keep_image(file, folder_.path("paper.pfm"), {}, diagnostics_));
   };
   write(transport::Rgb(0.25F));
   PreviewRequest request = test::request(test::scene_of_text(test::Corner));

@@ -67,7 +67,7 @@ class RewrittenFiles : public testing::Test {
   }
 
   /// Renders the present files.
-  transport::Image rendered() {
+  image::Image rendered() {
     grf::Diagnostics diagnostics;
     const auto job = job::render_job(request_.options, diagnostics);
     if (!job) throw std::runtime_error(diagnostics.to_text());
@@ -93,13 +93,13 @@ TEST_F(RewrittenFiles, StopNoPreview) {
 }
 
 TEST_F(RewrittenFiles, StopNoRenderThatStarts) {
-  const transport::Image before = rendered();
+  const image::Image before = rendered();
   while_overwritten(10, [&] { job::render_job(request_.options, diagnostics_); });
   EXPECT_EQ(rendered().pixels, before.pixels);
 }
 
 TEST_F(RewrittenFiles, StopNoRenderThatIsRunning) {
-  const transport::Image before = rendered();
+  const image::Image before = rendered();
   const auto job = job::render_job(request_.options, diagnostics_);
   ASSERT_TRUE(job) << diagnostics_.to_text();
   for (const std::string& path : {paper_, sky_}) std::filesystem::resize_file(path, 20);

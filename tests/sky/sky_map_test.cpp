@@ -17,7 +17,7 @@ using sky::SkyMap;
 using sky::SkySettings;
 using std::numbers::pi;
 
-double luminance(const reflectance::Rgb& rgb) {
+double luminance(const grf::Colour& rgb) {
   return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
 }
 
@@ -36,7 +36,7 @@ struct Sums {
 };
 
 /// Integrates a map: its centre looks down -z, its right is +x, and y is up.
-Sums integrated(const transport::Image& image) {
+Sums integrated(const image::Image& image) {
   Sums sums;
   double most = 0;
   for (int y = 0; y < image.height; ++y) {

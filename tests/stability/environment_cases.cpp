@@ -16,9 +16,9 @@ namespace {
 
 using grf::Vec2f;
 using grf::Vec3f;
+using image::Image;
 using reflectance::Rgb;
 using transport::EnvironmentMap;
-using transport::Image;
 
 double row_solid_angle(const Image& image, int y) {
   const double step = std::numbers::pi / image.height;

@@ -3,8 +3,8 @@
 
 #include <half.h>
 
+#include "renderer/image/image_file.h"
 #include "renderer/transport/film.h"
-#include "renderer/transport/image/image_file.h"
 #include "renderer/transport/scene/texture.h"
 #include "tests/stability/hard_case.h"
 #include "tests/support/temporary_folder.h"
@@ -12,8 +12,8 @@
 namespace test {
 namespace {
 
+using image::Image;
 using transport::FilmTile;
-using transport::Image;
 using transport::Rgb;
 
 constexpr int MillionSamples = 1'000'000;
@@ -103,8 +103,8 @@ Errors range_of_a_file() {
   for (const float value : numbers(1e-9F, 1e6F, 64)) image.pixels.emplace_back(value);
   const TemporaryFolder folder;
   grf::Diagnostics diagnostics;
-  if (!transport::write_image({image}, folder.path("range.exr"), diagnostics)) return {INFINITY, 0};
-  const auto read = transport::read_image(folder.path("range.exr"), diagnostics);
+  if (!image::write_image({image}, folder.path("range.exr"), diagnostics)) return {INFINITY, 0};
+  const auto read = image::read_image(folder.path("range.exr"), diagnostics);
   if (!read) return {INFINITY, 0};
   Errors errors;
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {

@@ -14,6 +14,7 @@
 
 namespace {
 
+using image::Image;
 using reflectance::mean;
 using reflectance::Rgb;
 using reflectance::Vec3f;
@@ -23,7 +24,6 @@ using studies::LitSurface;
 using studies::SphereGrid;
 using studies::SurfaceQuadrature;
 using test::filled;
-using transport::Image;
 
 /// A surface whose normal is y.
 LitSurface surface_under(const Image& image, const std::string& brdf, const std::string& pdf,

@@ -8,18 +8,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "renderer/image/encoders.h"
 #include "renderer/plot/fit_file.h"
-#include "renderer/transport/image/image_encoders.h"
 #include "tests/studies/filled_image.h"
 #include "tests/studies/study_of_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
-using reflectance::Rgb;
+using grf::Colour;
+using image::Image;
 using test::filled;
 using testing::HasSubstr;
-using transport::Image;
 
 class EnvironmentViewer : public testing::Test {
  protected:
@@ -41,7 +41,7 @@ class EnvironmentViewer : public testing::Test {
   }
   /// Adds a map, and returns the line of a state that opens it.
   std::string map_line(const std::string& name, const Image& image) const {
-    folder_.add(name, transport::encode_pfm({image}));
+    folder_.add(name, image::encode_pfm({image}));
     return "file " + name + "\n";
   }
 
@@ -66,8 +66,8 @@ std::vector<plot::Point> dots_on_map(const studies::Study& study, const std::str
 }
 
 TEST_F(EnvironmentViewer, ShowsSamplesInTheOnlyBrightTexel) {
-  Image image = filled(8, 4, Rgb(0));
-  image.pixels[8 + 5] = Rgb(10);  // the second row and the sixth column: 65 wide and high
+  Image image = filled(8, 4, Colour(0));
+  image.pixels[8 + 5] = Colour(10);  // the second row and the sixth column: 65 wide and high
   const studies::Study made = study("N=500 M=20", map_line("a.pfm", image));
   const auto samples = dots_on_map(made, "#d6006e");
   ASSERT_GT(samples.size(), 5U);
@@ -84,7 +84,7 @@ TEST_F(EnvironmentViewer, ShowsSamplesInTheOnlyBrightTexel) {
 }
 
 TEST_F(EnvironmentViewer, SaysWhatItFound) {
-  const studies::Study made = study("N=100 M=10", map_line("a.pfm", filled(16, 8, Rgb(4))));
+  const studies::Study made = study("N=100 M=10", map_line("a.pfm", filled(16, 8, Colour(4))));
   EXPECT_THAT(made.summary, HasSubstr("100 of 100 candidates are effective"));
   EXPECT_THAT(made.summary, HasSubstr("is 2 by resampling and 2 by quadrature"));
   const auto words = test::words_of(made);
@@ -95,7 +95,7 @@ TEST_F(EnvironmentViewer, SaysWhatItFound) {
 }
 
 TEST_F(EnvironmentViewer, DescribesADirectionOfTheMap) {
-  const studies::Study made = study("", map_line("a.pfm", filled(16, 8, Rgb(4, 2, 1))));
+  const studies::Study made = study("", map_line("a.pfm", filled(16, 8, Colour(4, 2, 1))));
   // A quarter from above and in the middle: 45 degrees high, towards -z. cos 45 / pi is 0.2251.
   const std::string words = made.describe({415 + 260, 106 + 65});
   EXPECT_THAT(words, HasSubstr("elevation 45\u00B0, azimuth 90\u00B0: radiance (4, 2, 1)"));
@@ -110,7 +110,7 @@ TEST_F(EnvironmentViewer, DescribesADirectionOfTheMap) {
 
 // Under constant light L, each candidate of a diffuse surface weighs kd L, and has the density cos / pi.
 TEST_F(EnvironmentViewer, HasTheCandidatesAsText) {
-  const studies::Study made = study("N=40 M=5", map_line("a.pfm", filled(16, 8, Rgb(8, 4, 0))));
+  const studies::Study made = study("N=40 M=5", map_line("a.pfm", filled(16, 8, Colour(8, 4, 0))));
   std::istringstream lines(made.csv);
   std::string line;
   std::getline(lines, line);
@@ -178,7 +178,7 @@ TEST_F(EnvironmentViewer, FollowsEachSetting) {
 }
 
 TEST_F(EnvironmentViewer, IsTheSameFromTheTextOfItsState) {
-  folder_.add("a.pfm", transport::encode_pfm({filled(8, 4, Rgb(1))}));
+  folder_.add("a.pfm", image::encode_pfm({filled(8, 4, Colour(1))}));
   const std::string text = "tool emviewer theta=40 M=8 show=lost\nbrdf ward sx=0.1\npdf auto\nfile a.pfm\n";
   grf::Diagnostics diagnostics;
   const auto state = studies::read_state(text, folder_.path("a.study"), diagnostics);
@@ -191,7 +191,7 @@ TEST_F(EnvironmentViewer, IsTheSameFromTheTextOfItsState) {
 TEST_F(EnvironmentViewer, SaysWhatIsWrong) {
   EXPECT_THAT(message("N=10 M=11", ""), HasSubstr("M = 11 samples cannot be chosen from N = 10 candidates"));
   EXPECT_THAT(message("", "file gone.hdr\n"), HasSubstr("gone.hdr"));
-  EXPECT_THAT(message("", map_line("black.pfm", filled(256, 128, Rgb(0)))),
+  EXPECT_THAT(message("", map_line("black.pfm", filled(256, 128, Colour(0)))),
               HasSubstr("black.pfm' is black: there is nothing to sample"));
   folder_.add("zeros.hdr", std::string(512 * 1024, '\0'));
   EXPECT_THAT(message("", "file zeros.hdr\n"), HasSubstr("zeros.hdr"));
@@ -204,8 +204,8 @@ TEST_F(EnvironmentViewer, SaysWhatIsWrong) {
 }
 
 TEST_F(EnvironmentViewer, WarnsOfInvalidTexels) {
-  Image image = filled(16, 8, Rgb(1));
-  image.pixels[3] = Rgb(std::numeric_limits<float>::infinity());
+  Image image = filled(16, 8, Colour(1));
+  image.pixels[3] = Colour(std::numeric_limits<float>::infinity());
   image.pixels[20].y = std::numeric_limits<float>::quiet_NaN();
   const std::string line = map_line("a.pfm", image);
   for (int repeated = 0; repeated < 2; ++repeated) {
@@ -219,8 +219,8 @@ TEST_F(EnvironmentViewer, WarnsOfInvalidTexels) {
 
 // Light from below only, and a figure without numbers that are none.
 TEST_F(EnvironmentViewer, ShowsASurfaceThatNoLightReaches) {
-  Image image = filled(8, 4, Rgb(0));
-  image.pixels[8 * 3] = Rgb(5);
+  Image image = filled(8, 4, Colour(0));
+  image.pixels[8 * 3] = Colour(5);
   const std::string line = map_line("a.pfm", image);
   for (const std::string show : {"map", "product", "lost", "scheme"}) {
     const studies::Study made = study("show=" + show, line);
@@ -234,8 +234,8 @@ TEST_F(EnvironmentViewer, ShowsASurfaceThatNoLightReaches) {
 
 // A changed file is read again.
 TEST_F(EnvironmentViewer, SeesAFileChange) {
-  const studies::Study first = study("", map_line("a.pfm", filled(16, 8, Rgb(4))));
-  const studies::Study second = study("", map_line("a.pfm", filled(32, 16, Rgb(6))));
+  const studies::Study first = study("", map_line("a.pfm", filled(16, 8, Colour(4))));
+  const studies::Study second = study("", map_line("a.pfm", filled(32, 16, Colour(6))));
   EXPECT_THAT(first.summary, HasSubstr("is 2 by resampling"));
   EXPECT_THAT(second.summary, HasSubstr("is 3 by resampling"));
 }

@@ -13,6 +13,7 @@
 
 namespace {
 
+using image::Image;
 using reflectance::Rgb;
 using reflectance::Vec3f;
 using std::numbers::pi;
@@ -20,7 +21,6 @@ using studies::Degree;
 using studies::map_lights;
 using studies::MapLights;
 using test::filled;
-using transport::Image;
 
 constexpr int Width = 720;  // half a degree per texel
 constexpr int Height = 360;

@@ -7,18 +7,19 @@
 #include "grf/read.h"
 #include "grf/summary.h"
 #include "grf/text_file.h"
+#include "renderer/image/image.h"
 #include "renderer/job/preview_scene.h"
 #include "renderer/job/render_job.h"
 #include "renderer/options/op_file.h"
-#include "renderer/transport/image/image.h"
+#include "renderer/reflectance/geometry.h"
 #include "tests/studies/study_of_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
+using image::Image;
 using testing::Contains;
 using testing::HasSubstr;
-using transport::Image;
 
 // A plane that fills the image, under a background of radiance 1: a diffuse BRDF shows its kd.
 constexpr const char* Plane =
@@ -52,11 +53,11 @@ class MiniRender : public testing::Test {
   Image image_of(const studies::Study& study, const std::string& name = "a.exr") {
     grf::Diagnostics diagnostics;
     EXPECT_TRUE(write_data(study, folder_.path(name), diagnostics)) << diagnostics.to_text();
-    return transport::read_image(folder_.path(name), diagnostics).value();
+    return image::read_image(folder_.path(name), diagnostics).value();
   }
   static double mean(const Image& image) {
     double sum = 0;
-    for (const reflectance::Rgb& pixel : image.pixels) sum += reflectance::mean(pixel);
+    for (const grf::Colour& pixel : image.pixels) sum += reflectance::mean(pixel);
     return sum / static_cast<double>(image.pixels.size());
   }
 

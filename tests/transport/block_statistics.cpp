@@ -9,7 +9,7 @@ namespace test {
 namespace {
 
 /// Returns the means of the blocks, level by level.
-std::vector<double> means_of(const transport::Image& image) {
+std::vector<double> means_of(const image::Image& image) {
   std::vector<double> means;
   for (int across = 1; across <= 8; across *= 2) {
     const int blocks = across * across;
@@ -44,7 +44,7 @@ double p_value(double difference, double variance_a, double variance_b, int coun
 
 }  // namespace
 
-void BlockStatistics::add(const transport::Image& image) {
+void BlockStatistics::add(const image::Image& image) {
   const std::vector<double> means = means_of(image);
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     Block& block = blocks_[i];

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 
 namespace test {
 
@@ -14,7 +14,7 @@ class BlockStatistics {
  public:
   static constexpr int Tests = 3 * (1 + 4 + 16 + 64);
 
-  void add(const transport::Image& image);
+  void add(const image::Image& image);
 
   /// The p-value of the largest block difference if both have the same expected image: the least over all
   /// blocks, each tested by itself (Welch's t-test).

@@ -116,7 +116,7 @@ void expect_blur(double depth) {
   setup.lens_radius = Radius;
   const std::string wall =
       test::quad("light rgb (1,1,1)", fmt::format("(-9,-9,{0}) (0,-9,{0}) (0,9,{0}) (-9,9,{0})", z));
-  const transport::Image image = test::PlannedScene(wall, setup).image();
+  const image::Image image = test::PlannedScene(wall, setup).image();
   const double pixel = 3.0 / Width;  // in radii of the circle
   double most = 0;
   for (int x = 0; x < Width; ++x) {

@@ -9,8 +9,8 @@
 
 namespace {
 
+using image::Image;
 using transport::Fingerprint;
-using transport::Image;
 using transport::Render;
 using transport::RenderEnd;
 using transport::RenderSettings;

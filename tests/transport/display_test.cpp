@@ -134,7 +134,7 @@ TEST_F(Display, ShowsTheFinalImageAndStatesBefore) {
   ASSERT_EQ(shown.width, 150);
   ASSERT_EQ(shown.height, 61);
   EXPECT_GT(shown.updates, 8);  // more than the four rows of tiles twice
-  const transport::Image image = render.film().mean();
+  const image::Image image = render.film().mean();
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) {
       ASSERT_EQ(shown.values[c][i], image.pixels[i][static_cast<int>(c)]) << "pixel " << i;

@@ -19,10 +19,10 @@ namespace {
 
 using grf::Vec2f;
 using grf::Vec3f;
+using image::Image;
 using reflectance::Rgb;
 using test::image_of;
 using transport::EnvironmentMap;
-using transport::Image;
 
 /// A sky with a gradient, black ground, noise and a sun.
 Image sky(int width, int height) {

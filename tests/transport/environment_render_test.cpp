@@ -7,12 +7,12 @@
 
 namespace {
 
+using image::Image;
 using reflectance::Resampling;
 using test::RenderSetup;
 using transport::CompiledScene;
 using transport::EnvironmentMap;
 using transport::Film;
-using transport::Image;
 using transport::RenderSettings;
 using transport::Rgb;
 using transport::Vec3f;

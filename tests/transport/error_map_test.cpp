@@ -5,13 +5,13 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/transport/image/image_error.h"
+#include "renderer/image/image_error.h"
 #include "tests/transport/scene_helpers.h"
 
 namespace {
 
+using image::Image;
 using transport::FilmTile;
-using transport::Image;
 using transport::Render;
 using transport::Rgb;
 using transport::TileBounds;

@@ -23,7 +23,7 @@ inline SampleScene caustic_scene() {
 
 /// A glossy ball on a diffuse floor under a dim sky with a sun.
 inline SampleScene sun_scene() {
-  transport::Image image{64, 32, std::vector<transport::Rgb>(64 * 32, transport::Rgb(0.3F, 0.4F, 0.5F))};
+  image::Image image{64, 32, std::vector<transport::Rgb>(64 * 32, transport::Rgb(0.3F, 0.4F, 0.5F))};
   image.pixels[8 * 64 + 42] = transport::Rgb(300, 300, 200);
   const std::string text = quad("brdf diffuse kd=0.6", "(-4,-1,4) (4,-1,4) (4,-1,-4) (-4,-1,-4)") +
                            sphere("brdf ward sx=0.1 sy=0.3 ks=0.5 kd=0.3", 16, true);

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/transport/image/image_error.h"
+#include "renderer/image/image_error.h"
 #include "tests/transport/error_scenes.h"
 
 namespace test {
@@ -41,29 +41,28 @@ struct ErrorStudy {
 /// Images with different seeds; the truth for one is the mean of all others.
 class SeedImages {
  public:
-  explicit SeedImages(const transport::Image& first)
-      : sum_(first.pixels.size(), Imath::V3d(0)), size_(first) {}
+  explicit SeedImages(const image::Image& first) : sum_(first.pixels.size(), Imath::V3d(0)), size_(first) {}
 
-  void add(const transport::Image& image) {
+  void add(const image::Image& image) {
     for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += Imath::V3d(image.pixels[i]);
     ++count_;
   }
 
   /// The squared error of an image against the mean of the others. The expected squared error of that mean, a
   /// fraction `share` of the image's own, is subtracted.
-  double relmse(const transport::Image& image, bool is_one_of_them, double share) const {
-    transport::Image truth = size_;
+  double relmse(const image::Image& image, bool is_one_of_them, double share) const {
+    image::Image truth = size_;
     const double others = count_ - (is_one_of_them ? 1 : 0);
     for (std::size_t i = 0; i < sum_.size(); ++i) {
       const Imath::V3d own = is_one_of_them ? Imath::V3d(image.pixels[i]) : Imath::V3d(0);
       truth.pixels[i] = transport::Rgb((sum_[i] - own) / others);
     }
-    return transport::error_of(image, truth).relmse / (1 + share / others);
+    return image::error_of(image, truth).relmse / (1 + share / others);
   }
 
  private:
   std::vector<Imath::V3d> sum_;
-  transport::Image size_;
+  image::Image size_;
   int count_ = 0;
 };
 
@@ -77,7 +76,7 @@ struct StudiedScene {
 inline StudiedScene study_intervals(const SampleScene& scene, int seeds, int samples, ErrorStudy& study) {
   transport::RenderSettings settings = scene.settings;
   settings.samples = samples;
-  std::vector<transport::Image> images;
+  std::vector<image::Image> images;
   std::vector<transport::ErrorEstimate> estimates;
   for (int seed = 0; seed < seeds; ++seed) {
     settings.seed = static_cast<std::uint32_t>(seed);
@@ -87,7 +86,7 @@ inline StudiedScene study_intervals(const SampleScene& scene, int seeds, int sam
     estimates.push_back(*render.film().error_estimate());
   }
   SeedImages all(images.front());
-  for (const transport::Image& image : images) all.add(image);
+  for (const image::Image& image : images) all.add(image);
   double stated = 0;
   double mean = 0;
   for (std::size_t i = 0; i < images.size(); ++i) {
@@ -144,7 +143,7 @@ inline BlockMeans block_means(const SampleScene& scene, const transport::RenderS
   for (int i = 0; i < renders; ++i, ++settings.seed) {
     transport::Render render(scene.scene, settings);
     render.run();
-    const transport::Image image = render.film().mean();
+    const image::Image image = render.film().mean();
     std::vector<double> values(blocks);
     for (int y = 0; y < down * BlockMeans::Side; ++y) {
       for (int x = 0; x < across * BlockMeans::Side; ++x) {

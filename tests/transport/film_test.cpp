@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/transport/image/image_error.h"
+#include "renderer/image/image_error.h"
 
 namespace {
 
+using image::Image;
 using transport::Film;
 using transport::FilmTile;
-using transport::Image;
 using transport::Rgb;
 
 /// Adds a sample to each pixel of a tile; `radiance` gives its value for a position within the tile.

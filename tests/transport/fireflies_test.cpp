@@ -1,12 +1,12 @@
 // The sample scenes have no fireflies: no pixel that stands out against a reference with many more samples.
 #include <gtest/gtest.h>
 
-#include "renderer/transport/image/image_error.h"
+#include "renderer/image/image_error.h"
 #include "tests/transport/sample_scenes.h"
 
 namespace {
 
-using transport::Image;
+using image::Image;
 using transport::RenderSettings;
 
 Image image_of(const transport::CompiledScene& scene, const RenderSettings& settings) {

@@ -102,7 +102,7 @@ TEST(Path, LightsNoFaceByItself) {
                                 "(-0.36749107,0.9572506,1.5854685)"
                                 "(0.22587675,0.43399888,-0.12987137)(0.57726663,-1.4840348,-0.4794128)"
                                 "(-0.016101182,-0.9607831,1.2359271)"));
-  const transport::Image image = test::render(scene, RenderSetup()).mean();
+  const image::Image image = test::render(scene, RenderSetup()).mean();
   // The other triangle of the quad may be visible edge-on, as rounding bends the two.
   for (const Rgb& pixel : image.pixels) EXPECT_LT(pixel.length(), 1e-9F);
 }

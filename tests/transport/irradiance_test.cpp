@@ -30,7 +30,7 @@ CompiledScene compiled_with_irradiance(const std::string& text) {
   return std::move(*compiled);
 }
 
-transport::Image image_of(const CompiledScene& scene, const RenderSetup& setup, bool uses_irradiance) {
+image::Image image_of(const CompiledScene& scene, const RenderSetup& setup, bool uses_irradiance) {
   transport::RenderSettings settings = test::settings_of(setup);
   settings.integrator.uses_irradiance = uses_irradiance;
   transport::Render render(scene, settings);
@@ -126,9 +126,9 @@ TEST(Irradiance, ShowsTheRoomAsItIs) {
   setup.field_of_view = 70;
   setup.depth = 4;
   setup.samples = 1024;
-  const transport::Image direct = image_of(baked, setup, false);
+  const image::Image direct = image_of(baked, setup, false);
   setup.samples = 16;
-  const transport::Image shown = image_of(baked, setup, true);
+  const image::Image shown = image_of(baked, setup, true);
   double sum = 0;
   double shown_sum = 0;
   int far_off = 0;

@@ -10,9 +10,9 @@
 
 namespace {
 
+using image::Image;
 using reflectance::Resampling;
 using transport::EnvironmentMap;
-using transport::Image;
 using transport::Integrator;
 using transport::RenderSettings;
 using transport::Rgb;

@@ -200,7 +200,7 @@ TEST(EnvironmentShare, FollowsThePowers) {
   const grf::Box3d bounds(grf::Vec3d(-1), grf::Vec3d(1));
   const Lights lights({Square});  // 3 on an area of 4
   const auto share = [&](float radiance, const Lights& others) {
-    const transport::EnvironmentMap map(transport::Image{2, 1, {Rgb(radiance), Rgb(radiance)}});
+    const transport::EnvironmentMap map(image::Image{2, 1, {Rgb(radiance), Rgb(radiance)}});
     return transport::environment_probability(&map, others, bounds);
   };
   // 12 pi, compared with a disc of radius sqrt(3) under 4 pi times the radiance.

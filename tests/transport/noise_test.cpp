@@ -153,10 +153,10 @@ TEST(NoiseShares, HaveTheErrorOfAnImage) {
   setup.field_of_view = 40;
   setup.width = setup.height = 24;
   setup.samples = 1000;
-  const transport::Image truth = render(scene, setup).mean();
+  const image::Image truth = render(scene, setup).mean();
   setup.samples = 16;
   setup.seed = 7;
-  const transport::Image image = render(scene, setup).mean();
+  const image::Image image = render(scene, setup).mean();
   double squares = 0;
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     for (int channel = 0; channel < 3; ++channel) {

@@ -67,7 +67,7 @@ class PlannedScene {
     if (render.rejected_samples() > 0) throw std::runtime_error("samples that are not finite");
     return render.film();
   }
-  transport::Image image() { return film().mean(); }
+  image::Image image() { return film().mean(); }
 
   std::vector<std::string> needed() const {
     std::vector<std::string> names;
@@ -81,7 +81,7 @@ class PlannedScene {
   [[noreturn]] void fail() const { throw std::runtime_error(diagnostics_.to_text()); }
 
   static std::shared_ptr<const transport::EnvironmentMap> map_of(float radiance) {
-    transport::Image image{8, 4, std::vector<transport::Rgb>(32, transport::Rgb(0))};
+    image::Image image{8, 4, std::vector<transport::Rgb>(32, transport::Rgb(0))};
     std::fill_n(image.pixels.begin(), 16, transport::Rgb(radiance));
     return environment_of(std::move(image));
   }

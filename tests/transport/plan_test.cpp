@@ -15,10 +15,10 @@
 
 namespace {
 
+using image::Image;
 using test::Effect;
 using test::PlannedRender;
 using test::PlannedScene;
-using transport::Image;
 
 /// Upright, at the centre of the view, facing the eye.
 const std::string Place = "(-1,-1,0)(1,-1,0)(1,1,0)(-1,1,0)";

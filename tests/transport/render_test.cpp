@@ -8,11 +8,11 @@
 
 namespace {
 
+using image::Image;
 using test::render;
 using test::RenderSetup;
 using transport::CompiledScene;
 using transport::Film;
-using transport::Image;
 using transport::Rgb;
 using transport::Vec3f;
 
@@ -190,13 +190,13 @@ TEST(CornellBox, HasTheSameMeanForAllSeeds) {
 // centres of two columns and two rows, or the one at the centre.
 TEST(Render, PlacesSamplesInAPixel) {
   const CompiledScene scene = test::scene_of("light begin (0,0,100) (0,1,0) (1,0,0) end");
-  transport::Image plate{4, 4, {}};
+  image::Image plate{4, 4, {}};
   for (int i = 0; i < 16; ++i) plate.pixels.emplace_back(static_cast<float>(1 << i));
   RenderSetup setup;
   setup.width = setup.height = 1;
   setup.samples = 4;
   transport::RenderSettings settings = test::settings_of(setup);
-  settings.backplate = std::make_shared<const transport::Image>(plate);
+  settings.backplate = std::make_shared<const image::Image>(plate);
   const auto shown = [&] {
     transport::Render render(scene, settings);
     render.run();

@@ -22,7 +22,7 @@ RenderSettings settings(int samples) {
 TEST(SampleScenes, GiveTheSameImageForAnyNumberOfThreads) {
   for (const std::string& path : test::sample_op_files()) {
     test::SampleScene sample = test::sample_scene(path);
-    std::vector<transport::Image> images;
+    std::vector<image::Image> images;
     for (const int threads : {1, 2, 7}) {
       sample.settings.threads = threads;
       Render render(sample.scene, sample.settings);
@@ -81,7 +81,7 @@ TEST(TargetError, StopsAllThreadCountsAtTheSameSample) {
   RenderSettings until = settings(RenderSettings::Unlimited);
   until.target_error = 0.02;
   std::set<std::uint32_t> counts;
-  std::vector<transport::Image> images;
+  std::vector<image::Image> images;
   for (const int threads : {1, 2, 7}) {
     until.threads = threads;
     Render render(scene, until);
@@ -121,7 +121,7 @@ const transport::CompiledScene& uneven_scene() {
 TEST(AdaptiveSampling, GivesTheSameImageForAnyNumberOfThreads) {
   RenderSettings adaptive = settings(100);
   adaptive.adaptive = true;
-  std::vector<transport::Image> images;
+  std::vector<image::Image> images;
   for (const int threads : {1, 2, 7}) {
     adaptive.threads = threads;
     Render render(uneven_scene(), adaptive);
@@ -348,8 +348,8 @@ TEST(RejectedSamples, HaveACause) {
   RenderSettings broken = settings(4);
   broken.integrator.background = transport::Rgb(infinity);
   expect_cause(cause(scene, broken), "background", false);
-  broken.backplate = std::make_shared<transport::Image>(
-      transport::Image{1, 1, {transport::Rgb(std::numeric_limits<float>::quiet_NaN())}});
+  broken.backplate = std::make_shared<image::Image>(
+      image::Image{1, 1, {transport::Rgb(std::numeric_limits<float>::quiet_NaN())}});
   broken.integrator.background = transport::Rgb(0);
   expect_cause(cause(scene, broken), "backplate", false);
   broken.integrator.integrator = transport::Integrator::Naive;

@@ -38,8 +38,8 @@ inline SampleScene sample_scene(const std::string& op_path,
   settings.integrator.background = options->background;
   settings.integrator.depth = options->depth;
   if (!options->environment.empty()) {
-    auto map = transport::read_environment_map(options->environment, diagnostics, {}, transport::read_image,
-                                               0, transport::EnvironmentMap::Weights::Compensated);
+    auto map = transport::read_environment_map(options->environment, diagnostics, {}, image::read_image, 0,
+                                               transport::EnvironmentMap::Weights::Compensated);
     if (!map) throw std::runtime_error(diagnostics.to_text());
     settings.integrator.environment = std::make_shared<const transport::EnvironmentMap>(std::move(*map));
   }

@@ -31,7 +31,7 @@ BlockStatistics statistics_of(const CompiledScene& scene, RenderSettings setting
 /// The map with a sun that rays hit by chance, too: brighter texels are clamped.
 std::shared_ptr<const EnvironmentMap> with_dim_sun(const EnvironmentMap& map) {
   constexpr float Brightest = 4;
-  transport::Image image = map.image();
+  image::Image image = map.image();
   for (transport::Rgb& texel : image.pixels) {
     for (int k = 0; k < 3; ++k) texel[k] = std::min(texel[k], Brightest);
   }

@@ -122,7 +122,7 @@ inline transport::RenderSettings settings_of(const RenderSetup& setup) {
 }
 
 /// Returns the map of an image with the weights of the renderer's job.
-inline std::shared_ptr<const transport::EnvironmentMap> environment_of(transport::Image image) {
+inline std::shared_ptr<const transport::EnvironmentMap> environment_of(image::Image image) {
   return std::make_shared<const transport::EnvironmentMap>(std::move(image), 0.0F,
                                                            transport::EnvironmentMap::Weights::Compensated);
 }
@@ -156,8 +156,8 @@ struct Estimate {
 
 /// The image's mean over pixels and channels, with its standard deviation from the two scramblings.
 inline Estimate mean_radiance(const transport::Film& film) {
-  const transport::Image mean = film.mean();
-  const transport::Image variance = film.variance();
+  const image::Image mean = film.mean();
+  const image::Image variance = film.variance();
   Estimate estimate;
   double total_variance = 0;
   const double count = static_cast<double>(mean.pixels.size());

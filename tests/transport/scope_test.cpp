@@ -12,10 +12,10 @@
 
 namespace {
 
+using image::Image;
 using test::Effect;
 using test::PlannedRender;
 using test::PlannedScene;
-using transport::Image;
 using transport::Rgb;
 using transport::Vec3f;
 

@@ -52,7 +52,7 @@ std::string ceiling_of(const std::string& attributes) {
 double share_of_ceiling() { return 4 / pi * std::sqrt(0.5) * std::atan(std::sqrt(0.5)); }
 
 Rgb shown(const std::string& text, const PlannedRender& setup) {
-  const transport::Image image = PlannedScene(text, setup).image();
+  const image::Image image = PlannedScene(text, setup).image();
   Rgb sum(0);
   for (const Rgb& pixel : image.pixels) sum += pixel / static_cast<float>(image.pixels.size());
   return sum;
@@ -125,7 +125,7 @@ TEST(SwitchedOff, TheBackgroundIsBlack) {
                           Rgb(0));
   transport::RenderSettings settings;
   settings.integrator.background = Rgb(1);
-  settings.backplate = std::make_shared<const transport::Image>();
+  settings.backplate = std::make_shared<const image::Image>();
   transport::EffectSet effects = transport::EffectSet::all();
   keep_only(effects, settings);
   EXPECT_TRUE(settings.backplate);

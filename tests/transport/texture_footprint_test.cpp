@@ -11,8 +11,8 @@
 namespace {
 
 using grf::Vec2f;
+using image::Image;
 using transport::CompiledScene;
-using transport::Image;
 using transport::Integrator;
 using transport::RayCone;
 using transport::Rgb;

@@ -9,13 +9,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "renderer/transport/image/srgb.h"
+#include "renderer/image/srgb.h"
 #include "tests/transport/scene_helpers.h"
 
 namespace {
 
 using grf::Vec2f;
-using transport::Image;
+using image::Image;
 using transport::Rgb;
 using transport::Texture;
 using transport::Vec3f;
@@ -26,7 +26,7 @@ Image random_image(int width, int height, bool bytes) {
   for (int i = 0; i < width * height; ++i) {
     Rgb pixel;
     for (int k = 0; k < 3; ++k) {
-      pixel[k] = bytes ? transport::srgb_table()[random() % 256] : static_cast<float>(random() % 1000) / 8;
+      pixel[k] = bytes ? image::srgb_table()[random() % 256] : static_cast<float>(random() % 1000) / 8;
     }
     image.pixels.push_back(pixel);
   }

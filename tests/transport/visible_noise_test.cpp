@@ -10,10 +10,10 @@
 
 namespace {
 
-using transport::Image;
+using image::Image;
+using image::Viewing;
+using image::VisibleDifference;
 using transport::Render;
-using transport::Viewing;
-using transport::VisibleDifference;
 
 constexpr int Seeds = 4;
 
@@ -52,7 +52,7 @@ struct Means {
 
 Means means_of(const transport::CompiledScene& scene, const Image& reference, int samples,
                const Viewing& viewing) {
-  const transport::SeenImage seen_reference = seen(reference, viewing);
+  const image::SeenImage seen_reference = seen(reference, viewing);
   Means means;
   for (std::uint32_t seed = 1; seed <= Seeds; ++seed) {
     Render render(scene, random_settings(setup_of(samples, seed)));
@@ -60,7 +60,7 @@ Means means_of(const transport::CompiledScene& scene, const Image& reference, in
     const auto noise = visible_noise(render, viewing);
     if (!noise) throw std::runtime_error("no noise is known");
     const VisibleDifference truth =
-        transport::summary_of(visible_differences(seen(render.film().mean(), viewing), seen_reference));
+        image::summary_of(visible_differences(seen(render.film().mean(), viewing), seen_reference));
     means.estimate.mean += noise->difference.mean / Seeds;
     means.estimate.percentile_95 += noise->difference.percentile_95 / Seeds;
     means.truth.mean += truth.mean / Seeds;

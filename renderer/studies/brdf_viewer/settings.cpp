@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/image/image.h"
 #include "renderer/reflectance/model.h"
 #include "renderer/studies/angles.h"
 #include "renderer/studies/brdf_viewer/tool.h"
-#include "renderer/transport/image/image.h"
 #include "samples/shapes/shape.h"
 #include "samples/shapes/teapot.h"
 
@@ -115,7 +115,7 @@ Heading heading_of(const Vec3f& direction) {
 
 bool is_environment_map(const std::string& path) {
   for (const std::string_view extension : {"exr", "hdr", "pic", "pfm"}) {
-    if (transport::has_extension(path, extension)) return true;
+    if (image::has_extension(path, extension)) return true;
   }
   return false;
 }

@@ -11,12 +11,12 @@
 #include "grf/text_file.h"
 #include "grf/wording.h"
 #include "grf/write.h"
+#include "renderer/image/encoders.h"
 #include "renderer/plot/chart.h"
 #include "renderer/reflectance/model.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/studies/angles.h"
 #include "renderer/studies/brdf_instance.h"
-#include "renderer/transport/image/image_encoders.h"
 
 namespace studies {
 namespace {
@@ -109,7 +109,7 @@ Shaded shaded(const transport::CompiledScene& scene, const std::array<LitBrdf, 2
 
 std::string png_of(const Shaded& shaded, const transport::View& view, const Settings& settings,
                    const Lighting& lighting, const Rgb& background) {
-  transport::ImageFile file;
+  image::ImageFile file;
   file.image = {Columns, Rows, shaded.radiance};
   file.exposure = settings.exposure;
   const transport::Camera camera(view, Columns, Rows);
@@ -125,7 +125,7 @@ std::string png_of(const Shaded& shaded, const transport::View& view, const Sett
                                                         : background * std::exp2(-settings.exposure));
     }
   }
-  return transport::encode_png(file);
+  return image::encode_png(file);
 }
 
 /// Writes a BRDF as lines of its model and its parameters, and returns the height below them.

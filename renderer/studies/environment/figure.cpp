@@ -247,7 +247,7 @@ void draw_map_panel(const EnvironmentResult& result, const Picture& picture, plo
 
 void draw_header(const EnvironmentResult& result, plot::Svg& svg) {
   const EnvironmentSettings& settings = result.settings;
-  const transport::Image& image = result.surface.map().image();
+  const image::Image& image = result.surface.map().image();
   const std::string brdf = grf::to_text(result.model);
   svg.text({Left, 30}, brdf, {plot::fitting_size(17, brdf, Width - 2 * Left), "#111", Anchor::Start, 0});
   const std::string normal = settings.tilt == 0

@@ -14,10 +14,10 @@
 namespace studies {
 namespace {
 
+using image::Image;
 using reflectance::Rgb;
 using reflectance::Vec3f;
 using transport::EnvironmentMap;
-using transport::Image;
 
 /// Returns the means of a row of texels over `count` equal parts of it.
 std::vector<Rgb> filtered_row(const Image& image, int row, int count) {

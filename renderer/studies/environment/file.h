@@ -38,7 +38,7 @@ struct SphereGrid {
 
 /// Returns the mean radiance over each cell of a grid, weighted by solid angle (box filter). Cells smaller
 /// than texels repeat them.
-std::vector<reflectance::Rgb> box_filtered(const transport::Image& image, const SphereGrid& grid);
+std::vector<reflectance::Rgb> box_filtered(const image::Image& image, const SphereGrid& grid);
 
 /// An environment map with its box-filtered copy. Samples are always drawn from the map itself.
 struct FilteredMap {
@@ -53,7 +53,7 @@ struct FilteredMap {
 
 /// Returns a sky of 512 by 256 texels: a gradient with a sun 35 degrees high and 6 degrees wide, and dark
 /// ground.
-transport::Image built_in_sky();
+image::Image built_in_sky();
 
 /// Reads an environment map, or makes the built-in sky if there is no file. An unreadable or black map is an
 /// error. A map that a study still shows is not read again unless its file has changed.

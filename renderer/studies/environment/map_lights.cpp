@@ -13,9 +13,9 @@
 namespace studies {
 namespace {
 
+using image::Image;
 using reflectance::luminance;
 using reflectance::Rgb;
-using transport::Image;
 
 constexpr SphereGrid MostTexels = {2048, 1024};
 /// The limit of the rest over the mean luminance.

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "renderer/image/image.h"
 #include "renderer/reflectance/lit_surface.h"
-#include "renderer/transport/image/image.h"
 
 namespace studies {
 
@@ -23,7 +23,7 @@ constexpr int MostMapLights = 16;
 /// mean is cut into regions of about equal energy, which have a light each at their centroid (median cut:
 /// Debevec 2005, "A Median Cut Algorithm for Light Probe Sampling"); regions smaller than 4 degrees are not
 /// cut. The irradiance of all lights and the rest of the map together is that of the map.
-MapLights map_lights(const transport::Image& image, int most_lights = MostMapLights);
+MapLights map_lights(const image::Image& image, int most_lights = MostMapLights);
 
 /// Returns the part of a radiance that the lights leave to the rest of the map: of the same colour, with a
 /// luminance up to the limit.
@@ -31,6 +31,6 @@ reflectance::Rgb below_limit(const reflectance::Rgb& radiance, float limit);
 
 /// Returns the image with at most 2048 x 1024 texels, box-filtered by solid angle, and with 0 for channels
 /// that are negative or not finite.
-transport::Image reduced_map(transport::Image image);
+image::Image reduced_map(image::Image image);
 
 }  // namespace studies

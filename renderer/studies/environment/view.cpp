@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "grf/srgb.h"
+#include "renderer/image/encoders.h"
 #include "renderer/parallel/loops.h"
 #include "renderer/reflectance/geometry.h"
 #include "renderer/studies/angles.h"
-#include "renderer/transport/image/image_encoders.h"
 
 namespace studies {
 namespace {
@@ -130,7 +130,7 @@ void draw(const ColouredSphere& sphere, const SphereView& view, const UnrolledVi
   std::string flat_png;
   parallel::invoke(
       [&] {
-        transport::Image image{side, side, {}};
+        image::Image image{side, side, {}};
         image.pixels.reserve(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
         for (int y = 0; y < side; ++y) {
           for (int x = 0; x < side; ++x) {
@@ -138,10 +138,10 @@ void draw(const ColouredSphere& sphere, const SphereView& view, const UnrolledVi
             image.pixels.push_back(pixel_of(sphere, view, middle, 1 / PixelsPerUnit, background));
           }
         }
-        round_png = transport::encode_png({image});
+        round_png = image::encode_png({image});
       },
       [&] {
-        flat_png = transport::encode_png({{sphere.grid.width, sphere.grid.height, sphere.colours}});
+        flat_png = image::encode_png({{sphere.grid.width, sphere.grid.height, sphere.colours}});
       });
   svg.image(corner, size, size, round_png);
   svg.image(unrolled.place().corner, unrolled.place().width, unrolled.place().height, flat_png);

@@ -13,16 +13,16 @@
 #include "grf/text_file.h"
 #include "grf/wording.h"
 #include "grf/write.h"
+#include "renderer/image/encoders.h"
 #include "renderer/job/preview_scene.h"
 #include "renderer/studies/angles.h"
 #include "renderer/studies/mini/scene.h"
-#include "renderer/transport/image/image_encoders.h"
 
 namespace studies {
 namespace {
 
+using image::Image;
 using plot::Anchor;
-using transport::Image;
 
 constexpr double Margin = 20;
 constexpr double Top = 50;
@@ -62,7 +62,7 @@ plot::Point shown_size(const Image& image, double largest_width) {
 }
 
 void draw_image(const MiniImage& image, double x, const plot::Point& size, plot::Svg& svg) {
-  svg.image({x, Top}, size.x, size.y, transport::encode_png({*image.image}));
+  svg.image({x, Top}, size.x, size.y, image::encode_png({*image.image}));
   double y = Top + size.y;
   const auto line = [&](const std::string& words, std::string_view colour) {
     y += 18;
@@ -170,10 +170,10 @@ std::string op_text(const options::RenderOptions& options, const std::string& sc
 std::vector<DataFile> data_files(const MiniScene& scene, const std::vector<MiniImage>& images) {
   std::vector<DataFile> files;
   const auto image = images.front().image;
-  for (const transport::ImageFormat& format : transport::image_formats()) {
+  for (const image::ImageFormat& format : image::image_formats()) {
     files.push_back({std::string(format.extension), std::string(format.title),
                      [image](const std::string& path, grf::Diagnostics& diagnostics) {
-                       return transport::write_image({*image}, path, diagnostics);
+                       return image::write_image({*image}, path, diagnostics);
                      }});
   }
   files.push_back(

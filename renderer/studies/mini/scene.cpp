@@ -10,8 +10,8 @@
 #include "grf/read.h"
 #include "grf/relocate.h"
 #include "grf/summary.h"
+#include "renderer/image/image.h"
 #include "renderer/options/op_file.h"
-#include "renderer/transport/image/image.h"
 #include "samples/shapes/shape.h"
 
 namespace studies {
@@ -32,8 +32,8 @@ constexpr std::size_t FileKinds = 4;
 
 FileKind kind_of(const ToolState::File& file) {
   const auto is_one_of = [&](std::initializer_list<std::string_view> extensions) {
-    return std::ranges::any_of(
-        extensions, [&](std::string_view each) { return transport::has_extension(file.path, each); });
+    return std::ranges::any_of(extensions,
+                               [&](std::string_view each) { return image::has_extension(file.path, each); });
   };
   if (is_one_of({"grf", "igrf"})) return FileKind::Scene;
   if (is_one_of({"op"})) return FileKind::Options;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/image/image.h"
 #include "renderer/transport/camera.h"
-#include "renderer/transport/image/image.h"
 #include "renderer/transport/scene/compiled_scene.h"
 
 namespace transport {
@@ -15,8 +15,8 @@ namespace transport {
 struct FeatureLayers {
   /// The directional albedo towards the eye, with the surface's colour. Black on the background, and on
   /// surfaces that reflect nothing.
-  Image albedo;
-  Image normal;  ///< shading normal on the eye's side, in world space; 0 on the background
+  image::Image albedo;
+  image::Image normal;  ///< shading normal on the eye's side, in world space; 0 on the background
   std::vector<float>
       depth;  ///< along the view's axis, over the rays that hit something; infinite if none does
 };

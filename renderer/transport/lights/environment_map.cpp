@@ -60,7 +60,7 @@ float place_between(float before, float above, float xi) { return (xi - before) 
 
 }  // namespace
 
-EnvironmentMap::EnvironmentMap(Image image, float rotation, Weights weights)
+EnvironmentMap::EnvironmentMap(image::Image image, float rotation, Weights weights)
     : image_(std::move(image)), longitude_(-std::remainder(double(rotation), 360) * std::numbers::pi / 180) {
   repair();
   build(weights);
@@ -240,7 +240,7 @@ EnvironmentMap::RadianceAndPdf EnvironmentMap::radiance_and_pdf(const Vec3f& nor
 
 std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf::Diagnostics& diagnostics,
                                                    const grf::SourceLocation& asked_for_at,
-                                                   const ImageReader& image_reader, float rotation,
+                                                   const image::ImageReader& image_reader, float rotation,
                                                    EnvironmentMap::Weights weights) {
   auto image = image_reader(path, diagnostics, asked_for_at);
   if (!image) return std::nullopt;

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "grf/math.h"
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
+#include "renderer/reflectance/geometry.h"
 #include "renderer/transport/lights/cosine_warps.h"
 
 namespace transport {
@@ -40,7 +41,7 @@ class EnvironmentMap {
 
   /// Channels of texels that are negative or not finite count as 0. The map is rotated about the y axis by an
   /// angle in degrees, counter-clockwise seen from above.
-  explicit EnvironmentMap(Image image, float rotation = 0, Weights weights = Weights::Luminance);
+  explicit EnvironmentMap(image::Image image, float rotation = 0, Weights weights = Weights::Luminance);
 
   reflectance::Rgb radiance(const grf::Vec3f& direction) const { return image_.pixels[texel_at(direction)]; }
 
@@ -70,7 +71,7 @@ class EnvironmentMap {
   double total() const { return total_; }
 
   bool is_black() const { return !(total_ > 0); }
-  const Image& image() const { return image_; }
+  const image::Image& image() const { return image_; }
 
   /// The number of texels of which a channel was negative or not finite.
   std::size_t invalid_texels() const { return invalid_texels_; }
@@ -100,7 +101,7 @@ class EnvironmentMap {
   void build(Weights weights);
   void prefetch(std::size_t row, std::size_t line) const;
 
-  Image image_;
+  image::Image image_;
   double longitude_;  ///< of the image's centre, radians, -pi to pi, from -z towards +x
   std::size_t invalid_texels_ = 0;
   double total_ = 0;         ///< luminance integrated over the sphere
@@ -119,7 +120,7 @@ class EnvironmentMap {
 /// Reads an environment map, rotated by degrees about the y axis, and warns of texels that count as 0.
 std::optional<EnvironmentMap> read_environment_map(
     const std::string& path, grf::Diagnostics& diagnostics, const grf::SourceLocation& asked_for_at = {},
-    const ImageReader& image_reader = read_image, float rotation = 0,
+    const image::ImageReader& image_reader = image::read_image, float rotation = 0,
     EnvironmentMap::Weights weights = EnvironmentMap::Weights::Luminance);
 
 }  // namespace transport

@@ -101,7 +101,8 @@ struct CompileSettings {
   /// A mesh that is placed more than once is copied, if all copies together have at most this many triangles:
   /// they are faster to intersect than instances.
   std::size_t most_copied_triangles = 10'000;
-  ImageReader image_reader = read_image;  ///< reads textures, possibly in several threads at once
+  image::ImageReader image_reader =
+      image::read_image;  ///< reads textures, possibly in several threads at once
   /// Requests to stop, which are checked between steps; each table of a sampling scheme is one.
   std::stop_token stop;
 };

@@ -6,12 +6,16 @@
 #include <optional>
 #include <utility>
 
-#include "renderer/transport/image/srgb.h"
+#include "renderer/image/srgb.h"
 
 namespace transport {
 namespace {
 
 using grf::Vec2f;
+using image::Image;
+using image::srgb_table;
+using image::SrgbTable;
+using image::to_srgb_byte;
 using reflectance::Rgb;
 
 bool is_of_bytes(const Image& image) {

@@ -8,7 +8,8 @@
 
 #include <half.h>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
+#include "renderer/reflectance/geometry.h"
 
 namespace transport {
 
@@ -20,7 +21,7 @@ namespace transport {
 class Texture {
  public:
   /// Channels that are negative or not finite count as 0, as in environment maps.
-  explicit Texture(Image image);
+  explicit Texture(image::Image image);
 
   /// The filtered value at a point for a footprint of this width in uv coordinates: 0 for bilinear
   /// interpolation of the image itself, else trilinear.
@@ -43,9 +44,9 @@ class Texture {
     std::size_t first = 0;  ///< index of its first texel
   };
 
-  void repair(Image& image);
+  void repair(image::Image& image);
   template <class Channel, class Encode>
-  void store(Image image, std::vector<Channel> channels, const Encode& encode);
+  void store(image::Image image, std::vector<Channel> channels, const Encode& encode);
   reflectance::Rgb texel(const Level& level, int x, int y) const;
 
   std::vector<Level> levels_;
@@ -54,6 +55,6 @@ class Texture {
 };
 
 /// Halves the image's size, rounded up; each texel is the mean of those it covers. The mean is preserved.
-Image halved(const Image& image);
+image::Image halved(const image::Image& image);
 
 }  // namespace transport

@@ -36,8 +36,8 @@ class FilesBefore {
   std::unordered_map<std::string_view, const TextureFile*> by_path_;
 };
 
-void read(const std::string& path, const grf::SourceLocation& asked_for_at, const ImageReader& read_image,
-          const FilesBefore& before, Read& result) {
+void read(const std::string& path, const grf::SourceLocation& asked_for_at,
+          const image::ImageReader& read_image, const FilesBefore& before, Read& result) {
   TextureFile& file = result.file;
   file.path = grf::canonical_path(path);
   std::error_code missing;  // which reading reports
@@ -45,7 +45,7 @@ void read(const std::string& path, const grf::SourceLocation& asked_for_at, cons
   if (!missing) file.texture = before.texture_of(file);
   if (!file.texture) {
     auto image = read_image(path, result.diagnostics, asked_for_at);
-    if (!image) image = Image{1, 1, {reflectance::Rgb(1)}};
+    if (!image) image = image::Image{1, 1, {reflectance::Rgb(1)}};
     file.texture = std::make_shared<const Texture>(std::move(*image));
   }
   const std::size_t wrong = file.texture->invalid_texels();

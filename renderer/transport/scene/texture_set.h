@@ -26,7 +26,7 @@ struct TextureFile {
 /// Collects the image files that surfaces name, and reads each once.
 class TextureSetBuilder {
  public:
-  TextureSetBuilder(const ImageReader& read_image, grf::Diagnostics& diagnostics)
+  TextureSetBuilder(const image::ImageReader& read_image, grf::Diagnostics& diagnostics)
       : read_image_(read_image), diagnostics_(diagnostics) {}
 
   /// Returns the index that a surface's texture will have.
@@ -42,7 +42,7 @@ class TextureSetBuilder {
     grf::SourceLocation asked_for_at;
   };
 
-  const ImageReader& read_image_;
+  const image::ImageReader& read_image_;
   grf::Diagnostics& diagnostics_;
   std::vector<File> files_;
   std::map<std::string, std::uint32_t> index_by_path_;

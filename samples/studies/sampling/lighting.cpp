@@ -41,10 +41,10 @@ Rgb sky_and_ground(const Vec3f& world) {
   return is_light ? Rgb(0.35F, 0.28F, 0.2F) : Rgb(0.12F, 0.1F, 0.08F);
 }
 
-transport::Image picture(const Vec3f& sun) {
+image::Image picture(const Vec3f& sun) {
   const Rgb sunlight = Rgb(28, 25, 21);
   const float edge = std::cos(6 * Degree);
-  transport::Image image{MapWidth, MapHeight, {}};
+  image::Image image{MapWidth, MapHeight, {}};
   for (int y = 0; y < MapHeight; ++y) {
     for (int x = 0; x < MapWidth; ++x) {
       const Vec3f world = map_direction((x + 0.5) / MapWidth, (y + 0.5) / MapHeight);

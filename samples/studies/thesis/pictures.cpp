@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 namespace study {
 namespace {
 
-using transport::Image;
+using image::Image;
 
 /// Makes a scene to be rendered from the group that measures a technique, with only that technique.
 Group scene_of(const PictureRow& row, const std::string& technique, const std::vector<Group>& groups) {
@@ -30,7 +30,7 @@ Image render(const Group& group, const Programs& programs, const std::string& wo
   const std::string path = fmt::format("{}/{}.pfm", work, group.file);
   programs.run("bpt", {"render", write_scene(group, work), "--output", path, "--progress", "none", "--json"});
   grf::Diagnostics diagnostics;
-  auto image = transport::read_image(path, diagnostics);
+  auto image = image::read_image(path, diagnostics);
   if (!image) throw std::runtime_error(diagnostics.to_text());
   return std::move(*image);
 }
@@ -38,7 +38,7 @@ Image render(const Group& group, const Programs& programs, const std::string& wo
 /// Appends an image at the right or below, with a white gap.
 void append(const Image& part, bool is_stacked, Image& whole) {
   constexpr int Gap = 2;
-  const reflectance::Rgb white(1, 1, 1);
+  const grf::Colour white(1, 1, 1);
   const bool is_first = whole.pixels.empty();
   const int gap = is_first ? 0 : Gap;
   Image joined;
@@ -71,13 +71,13 @@ PictureRow pottery_pictures() {
 
 void write_pictures(const PictureRow& row, const std::vector<Group>& groups, const Programs& programs,
                     const std::string& work, const std::string& path) {
-  transport::ImageFile file;
+  image::ImageFile file;
   file.exposure = row.exposure;
   for (const std::string& technique : row.techniques) {
     append(render(scene_of(row, technique, groups), programs, work), row.is_stacked, file.image);
   }
   grf::Diagnostics diagnostics;
-  if (!transport::write_image(file, path, diagnostics)) throw std::runtime_error(diagnostics.to_text());
+  if (!image::write_image(file, path, diagnostics)) throw std::runtime_error(diagnostics.to_text());
 }
 
 }  // namespace study

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "renderer/reflectance/geometry.h"
 #include "tests/benchmarks/render/pictures.h"
 #include "tests/benchmarks/render/renderers.h"
 #include "tests/benchmarks/render/scenes.h"
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using benchmark::Renderer;
 using benchmark::SceneFiles;
-using transport::Image;
+using image::Image;
 
 struct Arguments {
   fs::path folder = "build/benchmarks/render/artefacts";

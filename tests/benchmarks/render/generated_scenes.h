@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 
 namespace benchmark {
 
@@ -27,6 +27,6 @@ std::string stairs_of_vases(int textures, int segments);
 std::string texture_name(int index);
 
 /// A pattern that repeats, of colours, lines and detail of its own for each index.
-transport::Image texture_pattern(int index, int size);
+image::Image texture_pattern(int index, int size);
 
 }  // namespace benchmark

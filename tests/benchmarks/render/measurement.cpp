@@ -7,15 +7,15 @@
 
 #include <fmt/format.h>
 
-#include "renderer/transport/image/image_error.h"
+#include "renderer/image/image_error.h"
 #include "tests/benchmarks/render/pictures.h"
 
 namespace benchmark {
 namespace {
 
 namespace fs = std::filesystem;
-using reflectance::Rgb;
-using transport::Image;
+using grf::Colour;
+using image::Image;
 
 constexpr int ReferenceFactor = 64;
 constexpr std::uint32_t ReferenceSeed = 1000;
@@ -34,12 +34,12 @@ std::uint64_t fingerprint(const fs::path& folder) {
   return sum;
 }
 
-transport::ImageError error_of_file(const fs::path& path, const Image& reference) {
+image::ImageError error_of_file(const fs::path& path, const Image& reference) {
   const Image image = read_picture(path);
   if (image.width != reference.width || image.height != reference.height) {
     throw std::runtime_error(path.string() + " differs in size from its reference");
   }
-  const transport::ImageError error = transport::error_of(image, reference);
+  const image::ImageError error = image::error_of(image, reference);
   if (error.nan_pixels > 0) throw std::runtime_error(path.string() + " has pixels that are not finite");
   return error;
 }
@@ -76,10 +76,10 @@ class SceneMeasurement {
   }
 
  private:
-  static Rgb mean_of(const Image& image) {
+  static Colour mean_of(const Image& image) {
     Imath::V3d sum(0);
-    for (const Rgb& pixel : image.pixels) sum += Imath::V3d(pixel);
-    return Rgb(sum / static_cast<double>(image.pixels.size()));
+    for (const Colour& pixel : image.pixels) sum += Imath::V3d(pixel);
+    return Colour(sum / static_cast<double>(image.pixels.size()));
   }
 
   Job job(Renderer renderer) const {
@@ -112,7 +112,7 @@ class SceneMeasurement {
     Job timed = job(measurement.renderer);
     timed.seed = static_cast<std::uint32_t>(round) + 1;
     const Outcome outcome = render(measurement.renderer, timed);
-    const transport::ImageError error = error_of_file(timed.image, references_[index]);
+    const image::ImageError error = error_of_file(timed.image, references_[index]);
     say_(fmt::format("{}: round {}, {}: {:.2f} s, relMSE {:.3g}", scene_.name, round + 1,
                      name_of(measurement.renderer), outcome.seconds, error.relmse));
     measurement.relmse += error.relmse;

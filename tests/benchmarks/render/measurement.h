@@ -28,14 +28,14 @@ struct Measurement {
   Renderer renderer = Renderer::Bpt;
   double seconds = 0;         ///< of the fastest round
   double relmse = 0;          ///< mean((x - reference)^2 / (reference^2 + 0.01)), over rounds too
-  std::size_t fireflies = 0;  ///< in all rounds, see transport::ImageError
+  std::size_t fireflies = 0;  ///< in all rounds, see image::ImageError
   double peak_memory_bytes = 0;
   double paths_per_second = 0;
   std::optional<double> rays_per_second;
-  std::optional<double> embree_share;           ///< fraction of the time of all threads, from a separate run
-  std::vector<RayKind> ray_kinds;               ///< of bpt, from a separate run; empty if unknown
-  std::optional<double> counted_rays;           ///< in that run, by the renderer itself
-  reflectance::Rgb mean = reflectance::Rgb(0);  ///< of the reference's pixels
+  std::optional<double> embree_share;  ///< fraction of the time of all threads, from a separate run
+  std::vector<RayKind> ray_kinds;      ///< of bpt, from a separate run; empty if unknown
+  std::optional<double> counted_rays;  ///< in that run, by the renderer itself
+  grf::Colour mean = grf::Colour(0);   ///< of the reference's pixels
 
   double efficiency() const { return 1 / (relmse * seconds); }
 };

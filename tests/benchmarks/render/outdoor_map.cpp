@@ -6,23 +6,23 @@
 namespace benchmark {
 namespace {
 
-using reflectance::Rgb;
+using grf::Colour;
 constexpr double Pi = std::numbers::pi;
 
-Rgb radiance_from(const Imath::V3d& direction) {
+Colour radiance_from(const Imath::V3d& direction) {
   const Imath::V3d sun = Imath::V3d(0.45, std::tan(50 * Pi / 180) * 0.75, 0.6).normalized();
   const double cosine = direction.dot(sun);
   if (cosine > std::cos(0.5 * Pi / 180)) return {9000, 8200, 7000};
   if (direction.y < 0) return {0.12F, 0.11F, 0.09F};
   const auto haze = static_cast<float>(std::exp(-4 * direction.y));
   const auto glow = static_cast<float>(std::exp(-40 * (1 - cosine)));
-  return Rgb(0.18F, 0.32F, 0.65F) + haze * Rgb(0.45F, 0.42F, 0.3F) + glow * Rgb(3, 2.6F, 2);
+  return Colour(0.18F, 0.32F, 0.65F) + haze * Colour(0.45F, 0.42F, 0.3F) + glow * Colour(3, 2.6F, 2);
 }
 
 }  // namespace
 
-transport::Image outdoor_map() {
-  transport::Image image{1024, 512, {}};
+image::Image outdoor_map() {
+  image::Image image{1024, 512, {}};
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const double theta = Pi * (y + 0.5) / image.height;

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 
 namespace benchmark {
 
 /// A latitude-longitude environment map of 1024x512: a clear sky that brightens towards the horizon and a
 /// strong sun, half a degree in radius and 50 degrees high, over darker ground.
-transport::Image outdoor_map();
+image::Image outdoor_map();
 
 }  // namespace benchmark

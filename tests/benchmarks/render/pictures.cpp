@@ -3,15 +3,15 @@
 #include <stdexcept>
 #include <string>
 
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 
 namespace benchmark {
 
-using transport::Image;
+using image::Image;
 
 Image read_picture(const std::filesystem::path& path) {
   grf::Diagnostics diagnostics;
-  auto image = transport::read_image(path.string(), diagnostics);
+  auto image = image::read_image(path.string(), diagnostics);
   if (!image) throw std::runtime_error(diagnostics.to_text());
   return std::move(*image);
 }
@@ -26,7 +26,7 @@ void write_side_by_side(const std::vector<Image>& images, const std::filesystem:
     }
   }
   grf::Diagnostics diagnostics;
-  if (!transport::write_image({all}, path.string(), diagnostics)) {
+  if (!image::write_image({all}, path.string(), diagnostics)) {
     throw std::runtime_error(diagnostics.to_text());
   }
 }

@@ -25,7 +25,7 @@ using benchmark::Measurement;
 using benchmark::to_csv;
 using benchmark::to_json;
 using benchmark::to_markdown;
-using transport::Image;
+using image::Image;
 namespace fs = std::filesystem;
 
 /// What a scene places, with what its included files place.
@@ -198,13 +198,13 @@ TEST(Report, ComparesWithCyclesSceneByScene) {
   ours.seconds = 2;
   ours.relmse = 0.01;
   ours.paths_per_second = 3e6;
-  ours.mean = reflectance::Rgb(1, 1, 1);
+  ours.mean = grf::Colour(1, 1, 1);
   Measurement theirs = ours;
   theirs.renderer = benchmark::Renderer::Cycles;
   theirs.seconds = 4;
   theirs.relmse = 0.03;
   theirs.paths_per_second = 1.5e6;
-  theirs.mean = reflectance::Rgb(1, 1.25F, 1);
+  theirs.mean = grf::Colour(1, 1.25F, 1);
   const std::vector<Measurement> alone = {ours};
   Measurement unpaired = ours;
   unpaired.scene = "hall";

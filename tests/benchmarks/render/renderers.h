@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 
 namespace benchmark {
 

@@ -83,7 +83,7 @@ std::string comparison(const std::vector<Measurement>& measurements) {
 
 }  // namespace
 
-double largest_difference(const reflectance::Rgb& a, const reflectance::Rgb& b) {
+double largest_difference(const grf::Colour& a, const grf::Colour& b) {
   double largest = 0;
   for (int channel = 0; channel < 3; ++channel) {
     largest = std::max(largest, std::abs(static_cast<double>(a[channel]) / b[channel] - 1));

@@ -21,6 +21,6 @@ std::string to_csv(const std::vector<Measurement>& measurements);
 std::string to_markdown(const std::vector<Measurement>& measurements);
 
 /// Returns the largest |a/b - 1| of the channels.
-double largest_difference(const reflectance::Rgb& a, const reflectance::Rgb& b);
+double largest_difference(const grf::Colour& a, const grf::Colour& b);
 
 }  // namespace benchmark

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "grf/text_file.h"
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 #include "tests/benchmarks/render/generated_scenes.h"
 #include "tests/benchmarks/render/outdoor_map.h"
 #include "tests/support/paths.h"
@@ -29,9 +29,9 @@ void make_shape(const fs::path& folder, const Shape& shape, bool small) {
   if (made.exit_code != 0) throw std::runtime_error("make_shape: " + made.err);
 }
 
-void write_picture(const fs::path& file, const transport::Image& image) {
+void write_picture(const fs::path& file, const image::Image& image) {
   grf::Diagnostics diagnostics;
-  if (!transport::write_image({image}, file.string(), diagnostics)) {
+  if (!image::write_image({image}, file.string(), diagnostics)) {
     throw std::runtime_error(diagnostics.to_text());
   }
 }
@@ -114,7 +114,7 @@ SceneFiles make_interior(const fs::path& folder, bool small) {
   const fs::path own = folder / "interior";
   auto scene =
       make_scene(own, source_of("interior"), {{"sphere", 4'000, "metal"}, {"knot", 20'000, "coated"}}, small);
-  transport::Image map = outdoor_map();
+  image::Image map = outdoor_map();
   for (auto& pixel : map.pixels) pixel *= 20;  // as a camera exposes a room
   write_picture(own / "outdoor.exr", map);
   return scene;

@@ -114,7 +114,7 @@ std::string stairs_of_vases(int textures, int segments) {
          vases(count, segments) + "end\n";
 }
 
-transport::Image texture_pattern(int index, int size) {
+image::Image texture_pattern(int index, int size) {
   Random random(static_cast<std::uint32_t>(index) + 100);
   const auto colour = [&] {
     const double red = random(0.05, 0.9);
@@ -127,7 +127,7 @@ transport::Image texture_pattern(int index, int size) {
   const double columns = std::floor(random(1, 5));
   const double rows = std::floor(random(1, 5));
   const double slant = std::floor(random(0, 3));
-  transport::Image image{size, size, {}};
+  image::Image image{size, size, {}};
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
       const double u = (x + 0.5) / size;

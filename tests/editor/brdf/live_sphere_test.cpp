@@ -142,7 +142,7 @@ TEST(ShadeByCpp, ShowsAMatteSurfaceUnderTheLight) {
 
 /// A map with a bright patch towards -x, 20 degrees over the horizon.
 studies::Environment map_with_a_window() {
-  transport::Image image = {64, 32, std::vector<reflectance::Rgb>(2048, reflectance::Rgb(0.1F, 0.2F, 0.3F))};
+  image::Image image = {64, 32, std::vector<reflectance::Rgb>(2048, reflectance::Rgb(0.1F, 0.2F, 0.3F))};
   for (int y = 10; y < 14; ++y) {
     for (int x = 14; x < 18; ++x) image.pixels[static_cast<std::size_t>(y * 64 + x)] = reflectance::Rgb(20);
   }
@@ -211,7 +211,7 @@ TEST(LiveSphere, IsLitByAnEnvironmentThatTurns) {
   EXPECT_GT(right, 1.3F * left);
   // A white sphere in a uniform environment is as bright as it.
   environment.set_map(std::make_shared<const transport::EnvironmentMap>(
-      transport::Image{4, 2, std::vector<reflectance::Rgb>(8, reflectance::Rgb(0.4F))}));
+      image::Image{4, 2, std::vector<reflectance::Rgb>(8, reflectance::Rgb(0.4F))}));
   sphere.set_environment(environment);
   const SphereImage furnace = shown();
   EXPECT_NEAR(furnace.radiance[static_cast<std::size_t>(furnace.side / 2 * (furnace.side + 1))].x, 0.4F,

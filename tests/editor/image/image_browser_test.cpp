@@ -21,7 +21,7 @@
 
 #include "editor/controls/number_box.h"
 #include "editor/image/screen_controls.h"
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 #include "tests/editor/pointer.h"
 #include "tests/support/sanitizers.h"
 #include "tests/support/temporary_folder.h"
@@ -29,8 +29,8 @@
 namespace editor {
 namespace {
 
-using reflectance::Rgb;
-using transport::Image;
+using grf::Colour;
+using image::Image;
 
 /// An image whose pixels encode their position.
 Image ramp(int width, int height, float blue = 0) {
@@ -57,7 +57,7 @@ class Browser : public testing::Test {
   std::string write(const std::string& name, const Image& image) {
     grf::Diagnostics diagnostics;
     std::string path = folder_.path(name);
-    EXPECT_TRUE(transport::write_image({image}, path, diagnostics)) << diagnostics.to_text();
+    EXPECT_TRUE(image::write_image({image}, path, diagnostics)) << diagnostics.to_text();
     return path;
   }
 
@@ -163,8 +163,8 @@ TEST_F(Browser, ZoomsAboutThePointer) {
 }
 
 TEST_F(Browser, DrawsEachPixelWhereItIs) {
-  Image image{8, 4, std::vector<Rgb>(32, Rgb(0))};
-  image.pixels[3 * 8 + 5] = Rgb(0.2158605F);
+  Image image{8, 4, std::vector<Colour>(32, Colour(0))};
+  image.pixels[3 * 8 + 5] = Colour(0.2158605F);
   browser_.show_image("dot", shared(image));
   EXPECT_EQ(shown({5, 3}), qRgb(128, 128, 128));
   EXPECT_EQ(shown({4, 3}), qRgb(0, 0, 0));
@@ -173,15 +173,15 @@ TEST_F(Browser, DrawsEachPixelWhereItIs) {
   EXPECT_EQ(shown({5, 3}), qRgb(239, 239, 239)) << "two stops";
   for (int i = 0; i < 4; ++i) key(Qt::Key_E, Qt::ShiftModifier);
   EXPECT_EQ(shown({5, 3}), qRgb(128, 128, 128));
-  image.pixels[0] = Rgb(std::numeric_limits<float>::quiet_NaN());
+  image.pixels[0] = Colour(std::numeric_limits<float>::quiet_NaN());
   browser_.show_image("dot", shared(image));
   EXPECT_EQ(shown({0, 0}), NanColour);
   ASSERT_TRUE(QTest::qWaitFor([this] { return text("Image statistics").contains("1 NaN"); }));
 }
 
 TEST_F(Browser, ComparesByWipeFlipAndSide) {
-  browser_.show_image("red", shared({64, 64, std::vector<Rgb>(4096, Rgb(1, 0, 0))}));
-  browser_.show_image("blue", shared({64, 64, std::vector<Rgb>(4096, Rgb(0, 0, 1))}));
+  browser_.show_image("red", shared({64, 64, std::vector<Colour>(4096, Colour(1, 0, 0))}));
+  browser_.show_image("blue", shared({64, 64, std::vector<Colour>(4096, Colour(0, 0, 1))}));
   browser_.select_reference("red");
   ImagePane& pane = browser_.pane();
   ASSERT_EQ(pane.arrangement(), Arrangement::Wipe);
@@ -207,12 +207,12 @@ TEST_F(Browser, ComparesByWipeFlipAndSide) {
 TEST_F(Browser, SaysHowFarImagesAreApart) {
   const Image a = ramp(64, 48);
   Image b = a;
-  for (Rgb& pixel : b.pixels) pixel += Rgb(0.125F);
+  for (Colour& pixel : b.pixels) pixel += Colour(0.125F);
   browser_.show_image("b", shared(b));
   browser_.show_image("a", shared(a));
   browser_.select_reference("b");
   ASSERT_TRUE(QTest::qWaitFor([this] { return text("Image statistics").contains("RMSE"); }));
-  const transport::ImageError expected = transport::error_of(a, b);
+  const image::ImageError expected = image::error_of(a, b);
   const QString statistics = text("Image statistics");
   EXPECT_TRUE(statistics.contains("RMSE 0.125")) << statistics.toStdString();
   EXPECT_TRUE(statistics.contains("relMSE " + QString::number(expected.relmse, 'g', 4)))
@@ -239,8 +239,8 @@ TEST_F(Browser, RefusesDifferencesOfOtherSizes) {
 }
 
 /// 2 x 1 pixels with layers.
-transport::ImageFile layered(float far = 4) {
-  transport::ImageFile file{{2, 1, {Rgb(1, 0, 0), Rgb(0, 1, 0)}}};
+image::ImageFile layered(float far = 4) {
+  image::ImageFile file{{2, 1, {Colour(1, 0, 0), Colour(0, 1, 0)}}};
   file.layers = {{"albedo", "RGB", {1, 0, 0, 0, 0, 1}},
                  {"depth", "Z", {2, far}},
                  {"normal", "XYZ", {0, 0, 1, 0, -1, 0}},
@@ -254,9 +254,9 @@ constexpr int Half = 188;
 
 class LayersOfImages : public Browser {
  protected:
-  void open_layers(const std::string& name, const transport::ImageFile& file) {
+  void open_layers(const std::string& name, const image::ImageFile& file) {
     grf::Diagnostics diagnostics;
-    ASSERT_TRUE(transport::write_image(file, folder_.path(name), diagnostics)) << diagnostics.to_text();
+    ASSERT_TRUE(image::write_image(file, folder_.path(name), diagnostics)) << diagnostics.to_text();
     open(folder_.path(name));
   }
   QComboBox& layers() {
@@ -338,17 +338,17 @@ TEST_F(LayersOfImages, AreSavedWithTheImageOrAsOne) {
   browser_.save_as(QString::fromStdString(folder_.path("whole.exr")));
   ASSERT_TRUE(saved.wait());
   grf::Diagnostics diagnostics;
-  EXPECT_EQ(transport::read_image_file(folder_.path("whole.exr"), diagnostics)->layers.size(), 5U);
+  EXPECT_EQ(image::read_image_file(folder_.path("whole.exr"), diagnostics)->layers.size(), 5U);
   browser_.select_layer("depth");
   browser_.save_as(QString::fromStdString(folder_.path("depth.pfm")));
   ASSERT_TRUE(saved.wait());
-  EXPECT_EQ(transport::read_image(folder_.path("depth.pfm"), diagnostics)->pixels,
-            (std::vector<Rgb>{Rgb(2), Rgb(4)}));
+  EXPECT_EQ(image::read_image(folder_.path("depth.pfm"), diagnostics)->pixels,
+            (std::vector<Colour>{Colour(2), Colour(4)}));
   ASSERT_TRUE(shows(qRgb(0, 0, 0), qRgb(255, 255, 255)));
   browser_.save_as(QString::fromStdString(folder_.path("depth.png")));
   ASSERT_TRUE(saved.wait());
-  EXPECT_EQ(transport::read_image(folder_.path("depth.png"), diagnostics)->pixels,
-            (std::vector<Rgb>{Rgb(0), Rgb(1)}))
+  EXPECT_EQ(image::read_image(folder_.path("depth.png"), diagnostics)->pixels,
+            (std::vector<Colour>{Colour(0), Colour(1)}))
       << "as it is shown";
 }
 
@@ -380,13 +380,13 @@ TEST_F(Browser, SavesAndCopies) {
   browser_.save_as(QString::fromStdString(path));
   ASSERT_TRUE(saved.wait());
   grf::Diagnostics diagnostics;
-  const auto written = transport::read_image(path, diagnostics);
+  const auto written = image::read_image(path, diagnostics);
   ASSERT_TRUE(written);
   EXPECT_EQ(written->pixels, ramp(16, 12).pixels) << "linear, whatever the exposure";
   browser_.copy();
   const QImage copied = QApplication::clipboard()->image();
   ASSERT_EQ(copied.size(), QSize(16, 12));
-  EXPECT_EQ(copied.pixel(4, 3), ScreenColours({.exposure = 1})(Rgb(0.25F, 0.25F, 0)));
+  EXPECT_EQ(copied.pixel(4, 3), ScreenColours({.exposure = 1})(Colour(0.25F, 0.25F, 0)));
 }
 
 TEST(ImageSelection, KeepsTheTwoImagesApart) {
@@ -434,15 +434,15 @@ TEST(ScreenColoursSpeed, ChangesTheExposureOfALargeImageAtOnce) {
   const double table = least_time([&](int i) {
     const ScreenColours colours({.exposure = 0.25F * static_cast<float>(i)});
     const QImage converted = colours.convert(image, QRect(0, 0, 1920, 1080));
-    EXPECT_EQ(converted.pixel(960, 540), colours(Rgb(0.5F, 0.5F, 0)));
+    EXPECT_EQ(converted.pixel(960, 540), colours(Colour(0.5F, 0.5F, 0)));
   });
   // On as many threads, since two on one core take more processor time than one.
   std::vector<double> rows(static_cast<std::size_t>(image.height));
   const double formula = least_time([&](int) {
     QtConcurrent::blockingMap(rows, [&](double& sum) {
-      const Rgb* row = &image.at(0, static_cast<int>(&sum - rows.data()));
+      const Colour* row = &image.at(0, static_cast<int>(&sum - rows.data()));
       sum = 0;
-      for (const Rgb* pixel = row; pixel < row + image.width; ++pixel) {
+      for (const Colour* pixel = row; pixel < row + image.width; ++pixel) {
         sum += std::pow(pixel->x, 1 / 2.4) + std::pow(pixel->y, 1 / 2.4) + std::pow(pixel->z + 0.5F, 1 / 2.4);
       }
     });

@@ -27,7 +27,7 @@ class ImageProcesses : public testing::Test {
   }
   test::TemporaryFolder folder_;
   grf::Diagnostics diagnostics_;
-  std::optional<transport::Image> image_;
+  std::optional<image::Image> image_;
 };
 
 TEST_F(ImageProcesses, ReadWhatAFileHolds) {
@@ -35,14 +35,14 @@ TEST_F(ImageProcesses, ReadWhatAFileHolds) {
   ASSERT_EQ(read(ImageProcess()), "read");
   ASSERT_EQ(image_->width, 2);
   ASSERT_EQ(image_->height, 1);
-  EXPECT_EQ(image_->pixels[0], reflectance::Rgb(1));
-  EXPECT_EQ(image_->pixels[1], reflectance::Rgb(-2));
+  EXPECT_EQ(image_->pixels[0], grf::Colour(1));
+  EXPECT_EQ(image_->pixels[1], grf::Colour(-2));
 }
 
 TEST_F(ImageProcesses, ReadTheLayersOfAFile) {
-  transport::ImageFile written{{2, 1, {reflectance::Rgb(1), reflectance::Rgb(2)}}};
+  image::ImageFile written{{2, 1, {grf::Colour(1), grf::Colour(2)}}};
   written.layers = {{"depth", "Z", {3, 4}}, {"normal", "XYZ", {0, 0, 1, 0, 1, 0}}};
-  ASSERT_TRUE(transport::write_image(written, folder_.path("image.exr"), diagnostics_));
+  ASSERT_TRUE(image::write_image(written, folder_.path("image.exr"), diagnostics_));
   const auto file = ImageProcess().read_file(folder_.path("image.exr"), diagnostics_);
   ASSERT_TRUE(file) << diagnostics_.to_text();
   EXPECT_EQ(file->image.pixels, written.image.pixels);

@@ -40,7 +40,7 @@ class FinalRenderTest : public testing::Test {
   FinalRender render_;
   std::optional<FinalRenderResult> result_;
   std::string why_;
-  std::shared_ptr<const transport::Image> image_;
+  std::shared_ptr<const image::Image> image_;
 };
 
 TEST_F(FinalRenderTest, RendersWhatIsInMemoryBesideTheScene) {
@@ -155,7 +155,7 @@ TEST_F(FinalRenderTest, EndsWithTheEditorAndKeepsItsImage) {
 
 TEST_F(FinalRenderTest, ShowsItsOwnImagesAlone) {
   render_.start(test::final_request(path("scene.grf"), 1'000'000));
-  const auto image = std::make_shared<const transport::Image>();
+  const auto image = std::make_shared<const image::Image>();
   render_.show("another.exr", image);
   EXPECT_FALSE(image_);
   render_.show(render_.output(), image);

@@ -176,7 +176,7 @@ TEST(BrdfDrawing, IsWhatTheCpuEvaluatesUnderAMap) {
   ASSERT_NE(offscreen.gl(), nullptr);
   BrdfDrawing drawing(*offscreen.gl(), {});
   BrdfScene scene = small_scene("ashikhmin", studies::Environment::Kind::Map);
-  transport::Image image = {8, 4, std::vector<Rgb>(32, Rgb(0.2F, 0.3F, 0.5F))};
+  image::Image image = {8, 4, std::vector<Rgb>(32, Rgb(0.2F, 0.3F, 0.5F))};
   image.pixels[11] = Rgb(90, 80, 60);
   scene.lighting.environment.set_map(std::make_shared<const transport::EnvironmentMap>(image));
   scene.lighting.environment.turned = 0.8F;

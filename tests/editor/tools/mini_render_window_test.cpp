@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 #include "tests/editor/tools/study_tool_test.h"
 
 namespace editor {
@@ -76,7 +76,7 @@ TEST_F(MiniRenderWindow, ExportsItsImage) {
   set(Small);
   EXPECT_EQ(message_of([&] { window_.export_data(path("a.exr")); }), "");
   grf::Diagnostics diagnostics;
-  const auto image = transport::read_image(folder_.path("a.exr"), diagnostics);
+  const auto image = image::read_image(folder_.path("a.exr"), diagnostics);
   ASSERT_TRUE(image) << diagnostics.to_text();
   EXPECT_EQ(image->width, 64);
   EXPECT_THAT(message_of([&] { window_.export_data(path("a.gif")); }).toStdString(),

@@ -9,19 +9,19 @@
 
 #include "editor/view/environment_store.h"
 #include "grf/srgb.h"
+#include "renderer/image/encoders.h"
 #include "renderer/studies/environment/file.h"
-#include "renderer/transport/image/image_encoders.h"
 #include "tests/editor/view/shown_view.h"
 #include "tests/support/temporary_folder.h"
 
 namespace editor {
 namespace {
 
+using grf::Colour;
 using grf::Vec3d;
-using reflectance::Rgb;
+using image::Image;
 using std::numbers::pi;
 using test::ShownView;
-using transport::Image;
 
 /// The value of the screen for a radiance: sRGB of 1 - exp(-1.25 L).
 int shown_value(double radiance) {
@@ -42,9 +42,9 @@ Image patches() {
 
 /// A black sky with a sun of 2 x 2 degrees on the horizon towards +x.
 Image low_sun(float radiance) {
-  Image image = {360, 180, std::vector<Rgb>(std::size_t(360) * 180, Rgb(0))};
+  Image image = {360, 180, std::vector<Colour>(std::size_t(360) * 180, Colour(0))};
   for (const int y : {89, 90}) {
-    for (const int x : {269, 270}) image.pixels[static_cast<std::size_t>(y * 360 + x)] = Rgb(radiance);
+    for (const int x : {269, 270}) image.pixels[static_cast<std::size_t>(y * 360 + x)] = Colour(radiance);
   }
   return image;
 }
@@ -60,8 +60,7 @@ class ViewEnvironment : public testing::Test {
   /// Shows an image as the environment.
   void show(ShownView& shown, const Image& image, float rotation = 0, float scale = 1,
             const std::string& projection = "latlong") {
-    options_.environment =
-        folder_.add("map" + std::to_string(++files_) + ".pfm", transport::encode_pfm({image}));
+    options_.environment = folder_.add("map" + std::to_string(++files_) + ".pfm", image::encode_pfm({image}));
     options_.projection = projection;
     options_.environment_rotation = rotation;
     options_.environment_scale = scale;
@@ -99,7 +98,7 @@ TEST_F(ViewEnvironment, IsBehindTheSceneWhereTheRendererHasIt) {
         if (there.dot(shown.view.camera().forward()) < 0.1) continue;
         const QPoint pixel = shown.pixel_of(shown.view.camera().eye() + there * 1000);
         if (!image_.rect().contains(pixel)) continue;
-        const Rgb radiance = 0.8F * image.at(x, y);
+        const Colour radiance = 0.8F * image.at(x, y);
         EXPECT_LT((radiance - 0.8F * by_renderer.radiance(grf::Vec3f(there))).length(), 1e-6F);
         const QColor colour = image_.pixelColor(pixel);
         const std::array shown_channels = {colour.red(), colour.green(), colour.blue()};
@@ -151,7 +150,7 @@ TEST_F(ViewEnvironment, LightsBrdfsFromWhereItIs) {
 
 /// In a uniform environment a white surface is as bright as the background: a furnace.
 TEST_F(ViewEnvironment, IsAFurnaceIfItIsUniform) {
-  Image image = {8, 4, std::vector<Rgb>(32, Rgb(0.3F))};
+  Image image = {8, 4, std::vector<Colour>(32, Colour(0.3F))};
   const std::string white = "rgb (1,1,1) ";
   ShownView shown(test::objects_of_text(
       "begin mesh brdf diffuse kd=1 begin vertices (-1,-1,0) (1,-1,0) (1,1,0) (-1,1,0) end vertices "
@@ -164,11 +163,11 @@ TEST_F(ViewEnvironment, IsAFurnaceIfItIsUniform) {
 
 TEST_F(ViewEnvironment, IsSeenInMirrors) {
   // The image of what is behind the eye, at +z: two colours beside its border.
-  Image image = {72, 36, std::vector<Rgb>(std::size_t(72) * 36, Rgb(0.05F))};
+  Image image = {72, 36, std::vector<Colour>(std::size_t(72) * 36, Colour(0.05F))};
   for (int y = 0; y < 36; ++y) {
     for (int x = 0; x < 6; ++x) {
-      image.pixels[static_cast<std::size_t>(y * 72 + x)] = Rgb(0.6F, 0, 0);
-      image.pixels[static_cast<std::size_t>(y * 72 + 71 - x)] = Rgb(0, 0.6F, 0);
+      image.pixels[static_cast<std::size_t>(y * 72 + x)] = Colour(0.6F, 0, 0);
+      image.pixels[static_cast<std::size_t>(y * 72 + 71 - x)] = Colour(0, 0.6F, 0);
     }
   }
   ShownView shown(test::objects_of_text(
@@ -183,7 +182,7 @@ TEST_F(ViewEnvironment, IsSeenInMirrors) {
 
 /// A backplate is stretched over the image of the render camera, which is as high as the view.
 TEST_F(ViewEnvironment, IsABackplateThatLightsNothing) {
-  Image image = {2, 2, {Rgb(0.5F, 0, 0), Rgb(0, 0.5F, 0), Rgb(0, 0, 0.5F), Rgb(0.5F)}};
+  Image image = {2, 2, {Colour(0.5F, 0, 0), Colour(0, 0.5F, 0), Colour(0, 0, 0.5F), Colour(0.5F)}};
   ShownView shown(test::objects_of_text(test::cube_text("brdf diffuse kd=1")));
   shown.view.set_render_camera(shown.view.camera().view(), 1);  // 600 pixels wide, from 100 on
   shown.view.set_mode(DisplayMode::Brdf);
@@ -208,7 +207,7 @@ TEST_F(ViewEnvironment, LightsWhatTheCpuShades) {
   const SceneObjects objects =
       test::objects_of_text(test::cube_text("brdf ward sx=0.2 sy=0.3 ks=0.6 kd=0.3"));
   Image image = patches();
-  image.pixels[4 * 24 + 3] = Rgb(90);  // behind the eye: a light shines on the front
+  image.pixels[4 * 24 + 3] = Colour(90);  // behind the eye: a light shines on the front
   ShownView by_glsl(objects);
   show(by_glsl, image, 25);
   const QImage expected = image_;
@@ -229,7 +228,7 @@ TEST_F(ViewEnvironment, LightsWhatTheCpuShades) {
 }
 
 TEST_F(ViewEnvironment, IsReadOnceWhateverItsRotation) {
-  options_.environment = folder_.add("map.pfm", transport::encode_pfm({low_sun(100)}));
+  options_.environment = folder_.add("map.pfm", image::encode_pfm({low_sun(100)}));
   QSignalSpy changed(&store_, &EnvironmentStore::changed);
   QSignalSpy failed(&store_, &EnvironmentStore::failed);
   store_.set_options(options_);
@@ -250,7 +249,7 @@ TEST_F(ViewEnvironment, IsReadOnceWhateverItsRotation) {
   store_.set_options(options_);
   EXPECT_EQ(changed.count(), 2) << "nothing has changed";
   // Another content of the same file.
-  folder_.add("map.pfm", transport::encode_pfm({patches()}));
+  folder_.add("map.pfm", image::encode_pfm({patches()}));
   ASSERT_TRUE(test::wait_for([this] { return store_.readings() == 2 && store_.is_complete(); }));
   EXPECT_EQ(store_.environment()->sky.map->image().width, 24);
   EXPECT_TRUE(failed.isEmpty());

@@ -250,7 +250,7 @@ TEST_F(Authoring, GoesFromASceneToAnImage) {
   QTest::keyClick(&window_, Qt::Key_F6);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.empty(); }, Minute));
   grf::Diagnostics diagnostics;
-  const auto image = transport::read_image(folder_.path("box.exr"), diagnostics);
+  const auto image = image::read_image(folder_.path("box.exr"), diagnostics);
   ASSERT_TRUE(image) << diagnostics.to_text();
   test::expect_cornell_box(*image);
   EXPECT_TRUE(QFile::exists(path("box.op")));

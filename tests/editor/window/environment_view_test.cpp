@@ -16,7 +16,7 @@
 #include "editor/controls/number_box.h"
 #include "editor/panels/sky_dialog.h"
 #include "editor/view/environment_store.h"
-#include "renderer/transport/image/image_encoders.h"
+#include "renderer/image/encoders.h"
 #include "tests/editor/window/authoring.h"
 
 namespace editor {
@@ -28,10 +28,10 @@ const char* const GlossySquare =
 
 /// A map that is red on the left, towards -x, and green on the right.
 std::string red_and_green() {
-  transport::Image image = {64, 32, {}};
+  image::Image image = {64, 32, {}};
   for (int i = 0; i < 64 * 32; ++i)
-    image.pixels.emplace_back(i % 64 < 32 ? reflectance::Rgb(0.5F, 0, 0) : reflectance::Rgb(0, 0.5F, 0));
-  return transport::encode_pfm({image});
+    image.pixels.emplace_back(i % 64 < 32 ? grf::Colour(0.5F, 0, 0) : grf::Colour(0, 0.5F, 0));
+  return image::encode_pfm({image});
 }
 
 class EnvironmentInWindow : public Authoring {
@@ -105,14 +105,14 @@ TEST_F(EnvironmentInWindow, LightsTheSphereOfTheBrdfDock) {
     return image.radiance[static_cast<std::size_t>(image.side / 2) * static_cast<std::size_t>(image.side) +
                           static_cast<std::size_t>(image.side / 10)];
   };
-  const reflectance::Rgb in_studio = at_the_left();
+  const grf::Colour in_studio = at_the_left();
   EXPECT_GT(in_studio.z, 0.05F);
   auto& light = test::named<QComboBox>(window_.brdf_editor(), "Light of the sphere");
   ASSERT_TRUE(light.isEnabled());
   light.setFocus();
   QTest::keyClick(&light, Qt::Key_Down);
   ASSERT_EQ(light.currentText(), "Environment");
-  reflectance::Rgb in_map = at_the_left();
+  grf::Colour in_map = at_the_left();
   EXPECT_GT(in_map.x, 2 * in_map.y) << "red is on the left";
   EXPECT_EQ(in_map.z, 0);
   type("Rotation of the environment", "180");
@@ -188,7 +188,7 @@ TEST_F(EnvironmentInWindow, IsASkyByPlaceAndTime) {
       << options.environment;
   EXPECT_EQ(document().undo_stack().count(), steps + 1);
   grf::Diagnostics diagnostics;
-  const auto image = transport::read_image(options.environment, diagnostics);
+  const auto image = image::read_image(options.environment, diagnostics);
   ASSERT_TRUE(image) << diagnostics.to_text();
   EXPECT_EQ(image->width, 1024);
   // The brightness makes a white horizontal surface 1.

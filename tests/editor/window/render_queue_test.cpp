@@ -11,7 +11,7 @@
 #include "editor/controls/number_box.h"
 #include "editor/image/image_browser.h"
 #include "editor/rendering/render_panel.h"
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 #include "tests/editor/pointer.h"
 #include "tests/editor/window/authoring.h"
 
@@ -46,7 +46,7 @@ class RenderQueue : public Authoring {
   }
   transport::Rgb middle_of(const std::string& name) {
     grf::Diagnostics diagnostics;
-    const auto image = transport::read_image(folder_.path(name), diagnostics);
+    const auto image = image::read_image(folder_.path(name), diagnostics);
     if (!image) throw std::runtime_error(diagnostics.to_text());
     return image->at(16, 12);
   }
@@ -87,7 +87,7 @@ class EffectQueue : public RenderQueue {
   }
   transport::Rgb corner_of(const std::string& name) {
     grf::Diagnostics diagnostics;
-    return transport::read_image(folder_.path(name), diagnostics)->at(0, 0);
+    return image::read_image(folder_.path(name), diagnostics)->at(0, 0);
   }
 };
 

@@ -124,11 +124,11 @@ TEST_F(Rendered, IsLimitedToARegionThatIsDragged) {
   EXPECT_TRUE(is_at(0.7, 0.7, Qt::red));
   EXPECT_NE(pixel(0.95, 0.7), QColor(Qt::red));
   const auto rendered = [&](double x, double y) {
-    const transport::Image& image = *preview().image();
+    const image::Image& image = *preview().image();
     return image.at(static_cast<int>(x * image.width), static_cast<int>(y * image.height));
   };
   // What is outside is not rendered.
-  EXPECT_TRUE(QTest::qWaitFor([&] { return rendered(0.3, 0.3) == reflectance::Rgb(0); }, test::Minute));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return rendered(0.3, 0.3) == grf::Colour(0); }, test::Minute));
   EXPECT_GT(rendered(0.7, 0.7).x, 0.5F);
   EXPECT_TRUE(view().selection().empty()) << "the drag selects nothing";
   EXPECT_TRUE(test::action(window_, "Preview region").isChecked());

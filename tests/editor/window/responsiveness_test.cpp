@@ -21,7 +21,7 @@
 #include "editor/rendering/render_panel.h"
 #include "editor/view/environment_store.h"
 #include "editor/window/file_actions.h"
-#include "renderer/transport/image/image_encoders.h"
+#include "renderer/image/encoders.h"
 #include "tests/editor/window/window_driver.h"
 #include "tests/support/paths.h"
 #include "tests/support/sanitizers.h"
@@ -275,13 +275,13 @@ TEST_F(Responsiveness, OfTextureCoordinates) {
 
 /// The map is read, reduced and searched for lights elsewhere.
 TEST_F(Responsiveness, OfALargeEnvironment) {
-  transport::Image image = {8192, 4096, {}};
+  image::Image image = {8192, 4096, {}};
   for (int y = 0; y < image.height; ++y) {
-    const reflectance::Rgb radiance(static_cast<float>(y) / static_cast<float>(image.height));
+    const grf::Colour radiance(static_cast<float>(y) / static_cast<float>(image.height));
     image.pixels.insert(image.pixels.end(), static_cast<std::size_t>(image.width), radiance);
   }
-  image.pixels[std::size_t(1000) * 8192 + 3000] = reflectance::Rgb(1e6F);
-  const QString file = QString::fromStdString(folder_.add("map.exr", transport::encode_exr({image})));
+  image.pixels[std::size_t(1000) * 8192 + 3000] = grf::Colour(1e6F);
+  const QString file = QString::fromStdString(folder_.add("map.exr", image::encode_exr({image})));
   image = {};
   view().set_mode(DisplayMode::Brdf);
   const auto settle_map = [this] {

@@ -3,7 +3,7 @@
 
 #include "grf/math.h"
 
-namespace transport {
+namespace image {
 
 /// A colour of CIELAB: lightness from 0 to 100, and two opponent axes.
 struct Lab {
@@ -20,4 +20,4 @@ Lab lab_of(const grf::Vec3d& xyz, const grf::Vec3d& white);
 /// test data, and mathematical observations").
 double ciede2000(const Lab& first, const Lab& second);
 
-}  // namespace transport
+}  // namespace image

@@ -15,14 +15,14 @@
 #include <turbojpeg.h>
 
 #include "grf/text_file.h"
-#include "renderer/transport/image/image.h"
-#include "renderer/transport/image/image_decoders.h"
-#include "renderer/transport/image/srgb.h"
+#include "renderer/image/decoders.h"
+#include "renderer/image/image.h"
+#include "renderer/image/srgb.h"
 
-namespace transport {
+namespace image {
 namespace {
 
-using reflectance::Rgb;
+using grf::Colour;
 
 // Portable float map: three lines of text, then rows from the bottom. A negative scale means little-endian.
 
@@ -65,7 +65,7 @@ Image decode_pfm(std::string_view bytes) {
   for (int y = 0; y < height; ++y) {
     const char* from = bytes.data() + row * static_cast<std::size_t>(height - 1 - y);
     for (int x = 0; x < width; ++x, from += channels * sizeof(float)) {
-      Rgb& pixel = image.pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+      Colour& pixel = image.pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
       for (std::size_t k = 0; k < 3; ++k) {
         pixel[static_cast<int>(k)] = float_of(from + (channels == 3 ? k * sizeof(float) : 0), scale < 0);
       }
@@ -81,7 +81,7 @@ Image decode_raw(std::string_view bytes) {
   if (bytes.size() < sizeof(size)) throw std::runtime_error("unexpected end of file");
   std::memcpy(size.data(), bytes.data(), sizeof(size));
   bytes.remove_prefix(sizeof(size));
-  const std::size_t row = std::max<std::size_t>(1, sizeof(Rgb) * size[0]);
+  const std::size_t row = std::max<std::size_t>(1, sizeof(Colour) * size[0]);
   if (bytes.size() / row < size[1]) throw std::runtime_error("unexpected end of file");
   Image image = blank_image(size[0], size[1]);
   if (bytes.size() != row * size[1])
@@ -115,7 +115,7 @@ Image decode_png(std::string_view bytes) {
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     std::array<std::uint16_t, 3> pixel = {};
     std::memcpy(pixel.data(), pixels.data() + i * sizeof(pixel), sizeof(pixel));
-    image.pixels[i] = Rgb(pixel[0], pixel[1], pixel[2]) / 65535.0F;
+    image.pixels[i] = Colour(pixel[0], pixel[1], pixel[2]) / 65535.0F;
   }
   return image;
 }
@@ -212,7 +212,7 @@ Image blank_image(std::int64_t width, std::int64_t height) {
                                          MostPixels / 1'000'000));
   }
   Image image{static_cast<int>(width), static_cast<int>(height), {}};
-  image.pixels.resize(static_cast<std::size_t>(width * height), Rgb(0));
+  image.pixels.resize(static_cast<std::size_t>(width * height), Colour(0));
   return image;
 }
 
@@ -227,7 +227,7 @@ Image blank_image(std::int64_t width, std::int64_t height, std::string_view file
 
 void decode_srgb(const std::uint8_t* bytes, Image& image) {
   const SrgbTable& linear = srgb_table();
-  for (Rgb& pixel : image.pixels) {
+  for (Colour& pixel : image.pixels) {
     pixel = {linear[bytes[0]], linear[bytes[1]], linear[bytes[2]]};
     bytes += 3;
   }
@@ -246,4 +246,4 @@ std::optional<ImageFile> read_image_file(const std::string& path, grf::Diagnosti
   return read_and(decode, path, diagnostics, {});
 }
 
-}  // namespace transport
+}  // namespace image

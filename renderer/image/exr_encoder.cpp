@@ -10,12 +10,12 @@
 #include <ImfStringAttribute.h>
 #include <ImfVecAttribute.h>
 
-#include "renderer/transport/image/image_encoders.h"
+#include "renderer/image/encoders.h"
 
-namespace transport {
+namespace image {
 namespace {
 
-using reflectance::Rgb;
+using grf::Colour;
 
 /// Lets OpenEXR write to memory, so that the file itself can be replaced atomically.
 class MemoryStream : public Imf::OStream {
@@ -87,7 +87,7 @@ std::string encode_exr(const ImageFile& file) {
     for (const ImageAttribute& attribute : file.attributes) add_attribute(attribute, header);
     ExrChannels channels(header, file.image.width);
     const float* first = &file.image.pixels.front().x;
-    constexpr std::size_t Components = sizeof(Rgb) / sizeof(float);
+    constexpr std::size_t Components = sizeof(Colour) / sizeof(float);
     for (const auto& [name, offset] : {std::pair("R", 0), {"G", 1}, {"B", 2}}) {
       channels.add(name, first + offset, Components);
     }
@@ -99,4 +99,4 @@ std::string encode_exr(const ImageFile& file) {
   return stream.take_bytes();
 }
 
-}  // namespace transport
+}  // namespace image

@@ -3,7 +3,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "renderer/transport/image/image_decoders.h"
+#include "renderer/image/decoders.h"
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -18,7 +18,7 @@
 #pragma GCC diagnostic pop
 #endif
 
-namespace transport {
+namespace image {
 namespace {
 
 /// Feeds bytes to stb_image, and notes if it asked for more than there are: it reads those as zeros.
@@ -87,4 +87,4 @@ Image decode_tga(std::string_view bytes) {
   return image;
 }
 
-}  // namespace transport
+}  // namespace image

@@ -5,12 +5,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include "renderer/transport/image/image_decoders.h"
+#include "renderer/image/decoders.h"
 
-namespace transport {
+namespace image {
 namespace {
 
-using reflectance::Rgb;
+using grf::Colour;
 using Rgbe = std::array<std::uint8_t, 4>;
 
 /// The order of rows and pixels, and the factor by which pixels were multiplied.
@@ -38,16 +38,16 @@ class RadianceDecoder {
       read_row(row);
       const int y = header.from_bottom ? header.height - 1 - i : i;
       if (header.from_right) std::reverse(row.begin(), row.end());
-      Rgb* pixel = &image.pixels[static_cast<std::size_t>(y) * row.size()];
+      Colour* pixel = &image.pixels[static_cast<std::size_t>(y) * row.size()];
       for (const Rgbe& rgbe : row) *pixel++ = to_rgb(rgbe) / header.exposure;
     }
     return image;
   }
 
  private:
-  static Rgb to_rgb(const Rgbe& rgbe) {
-    if (rgbe[3] == 0) return Rgb(0);
-    return Rgb(rgbe[0], rgbe[1], rgbe[2]) * std::ldexp(1.0F, int(rgbe[3]) - 136);
+  static Colour to_rgb(const Rgbe& rgbe) {
+    if (rgbe[3] == 0) return Colour(0);
+    return Colour(rgbe[0], rgbe[1], rgbe[2]) * std::ldexp(1.0F, int(rgbe[3]) - 136);
   }
 
   std::string_view next_line() {
@@ -156,4 +156,4 @@ class RadianceDecoder {
 
 Image decode_radiance(std::string_view bytes) { return RadianceDecoder(bytes).run(); }
 
-}  // namespace transport
+}  // namespace image

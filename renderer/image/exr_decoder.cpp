@@ -11,12 +11,12 @@
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 
-#include "renderer/transport/image/image_decoders.h"
+#include "renderer/image/decoders.h"
 
-namespace transport {
+namespace image {
 namespace {
 
-using reflectance::Rgb;
+using grf::Colour;
 
 class MemoryInput : public Imf::IStream {
  public:
@@ -78,7 +78,7 @@ class ExrFile {
     file_.setFrameBuffer(buffer_);
     file_.readPixels(window_.min.y, window_.max.y);
     if (!is_grey()) return;
-    for (Rgb& pixel : image_.pixels) pixel = Rgb(pixel.x);
+    for (Colour& pixel : image_.pixels) pixel = Colour(pixel.x);
   }
 
   Image take_image() { return std::move(image_); }
@@ -157,4 +157,4 @@ ImageFile decode_exr_file(std::string_view bytes) {
   return result;
 }
 
-}  // namespace transport
+}  // namespace image

@@ -1,5 +1,5 @@
 // Images written to files of each format, read by our readers and by others'.
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 
 #include <cmath>
 #include <csignal>
@@ -40,9 +40,9 @@ struct FreeStb {
   void operator()(void* pixels) const { stbi_image_free(pixels); }
 };
 
-using reflectance::Rgb;
-using transport::Image;
-using transport::ImageFile;
+using grf::Colour;
+using image::Image;
+using image::ImageFile;
 
 constexpr float FloatInfinity = std::numeric_limits<float>::infinity();
 constexpr float QuietNaN = std::numeric_limits<float>::quiet_NaN();
@@ -77,11 +77,11 @@ class ImageFiles : public testing::Test {
  protected:
   /// Writes the file and returns its path.
   std::string write(const ImageFile& file, const std::string& name) {
-    EXPECT_TRUE(transport::write_image(file, folder_.path(name), diagnostics_)) << diagnostics_.to_text();
+    EXPECT_TRUE(image::write_image(file, folder_.path(name), diagnostics_)) << diagnostics_.to_text();
     return folder_.path(name);
   }
   Image read(const std::string& path) {
-    const auto image = transport::read_image(path, diagnostics_);
+    const auto image = image::read_image(path, diagnostics_);
     EXPECT_TRUE(image) << diagnostics_.to_text();
     return image.value_or(Image());
   }
@@ -92,7 +92,7 @@ class ImageFiles : public testing::Test {
 
 TEST_F(ImageFiles, LinearFloatsKeepEveryBit) {
   Image image = random_radiance();
-  image.pixels[3] = Rgb(-1, 0, 1e-40F);
+  image.pixels[3] = Colour(-1, 0, 1e-40F);
   for (const char* name : {"a.exr", "a.pfm", "a.raw", "A.RAW"}) {
     const Image again = read(write({image}, name));
     EXPECT_EQ(again.width, 40) << name;
@@ -101,7 +101,7 @@ TEST_F(ImageFiles, LinearFloatsKeepEveryBit) {
 }
 
 TEST_F(ImageFiles, RawIsSizeAndFloatsAndNothingElse) {
-  const std::string bytes = test::bytes_of(write({{2, 1, {Rgb(1, 2, 0), Rgb(0, 0, -1)}}}, "a.raw"));
+  const std::string bytes = test::bytes_of(write({{2, 1, {Colour(1, 2, 0), Colour(0, 0, -1)}}}, "a.raw"));
   EXPECT_EQ(bytes, std::string("\2\0\0\0\1\0\0\0"
                                "\0\0\x80\x3f\0\0\0\x40\0\0\0\0"
                                "\0\0\0\0\0\0\0\0\0\0\x80\xbf",
@@ -114,7 +114,7 @@ TEST_F(ImageFiles, RadianceIsRoundedToTheNearest) {
   const Image again = read(path);
   double bias = 0;
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const Rgb& pixel = image.pixels[i];
+    const Colour& pixel = image.pixels[i];
     const float largest = std::max({pixel.x, pixel.y, pixel.z});
     for (int k = 0; k < 3; ++k) {
       EXPECT_LE(std::abs(again.pixels[i][k] - pixel[k]), largest / 255);
@@ -135,14 +135,15 @@ TEST_F(ImageFiles, RadianceIsRoundedToTheNearest) {
 }
 
 TEST_F(ImageFiles, RadianceTakesWhatItCannotHold) {
-  const Image image{4, 1, {Rgb(QuietNaN, -1, 1), Rgb(FloatInfinity, 1, 0), Rgb(3e38F), Rgb(1e-38F)}};
+  const Image image{
+      4, 1, {Colour(QuietNaN, -1, 1), Colour(FloatInfinity, 1, 0), Colour(3e38F), Colour(1e-38F)}};
   const Image again = read(write({image}, "a.hdr"));
-  EXPECT_EQ(again.pixels[0], Rgb(0, 0, 1));
+  EXPECT_EQ(again.pixels[0], Colour(0, 0, 1));
   EXPECT_GT(again.pixels[1].x, 1e38F);
   EXPECT_GT(again.pixels[2].y, 1e38F);
-  EXPECT_EQ(again.pixels[3], Rgb(0));
+  EXPECT_EQ(again.pixels[3], Colour(0));
   // 255.6 of 256 steps: one more than a byte holds.
-  EXPECT_NEAR(read(write({{1, 1, {Rgb(0.9985F)}}}, "b.hdr")).pixels[0].x, 1, 1e-6);
+  EXPECT_NEAR(read(write({{1, 1, {Colour(0.9985F)}}}, "b.hdr")).pixels[0].x, 1, 1e-6);
 }
 
 TEST_F(ImageFiles, EightBitsAreWithinTheirSteps) {
@@ -159,7 +160,7 @@ TEST_F(ImageFiles, EightBitsAreWithinTheirSteps) {
   EXPECT_GT(test::bytes_of(write({image}, "a.jpeg")).size(), 100U);
 }
 
-const Image SampleImage{3, 1, {Rgb(0, 1, 2), Rgb(0.5F, 0.001F, 0.2F), Rgb(-1, 0.25F, 0.75F)}};
+const Image SampleImage{3, 1, {Colour(0, 1, 2), Colour(0.5F, 0.001F, 0.2F), Colour(-1, 0.25F, 0.75F)}};
 const std::vector<int> SampleBytes = {0, 255, 255, 188, 3, 124, 0, 137, 225};
 
 TEST_F(ImageFiles, PngIsEncodedInSrgb) {
@@ -186,21 +187,22 @@ TEST_F(ImageFiles, TgaIsEncodedInSrgb) {
 }
 
 TEST_F(ImageFiles, TgaOfTwoRowsHasThemFromTheTop) {
-  const Image image{1, 2, {Rgb(1), Rgb(0)}};
+  const Image image{1, 2, {Colour(1), Colour(0)}};
   const Image again = read(write({image}, "a.tga"));
   EXPECT_GT(again.pixels[0].x, again.pixels[1].x);
 }
 
 // Sizes are two bytes each, little-endian (Truevision 1991, fields 5.3 and 5.4).
 TEST_F(ImageFiles, TgaHoldsSizesOver255) {
-  const std::string bytes = test::bytes_of(write({{300, 515, std::vector<Rgb>(300 * 515, Rgb(1))}}, "a.tga"));
+  const std::string bytes =
+      test::bytes_of(write({{300, 515, std::vector<Colour>(300 * 515, Colour(1))}}, "a.tga"));
   EXPECT_EQ(bytes.substr(12, 4), std::string("\x2c\x01\x03\x02", 4));
   EXPECT_EQ(bytes.size(), 18U + 3 * 300 * 515);
 }
 
 TEST_F(ImageFiles, JpegKeepsColourAtFullResolution) {
   Image image{16, 16, {}};
-  for (int i = 0; i < 256; ++i) image.pixels.push_back(i % 2 == 0 ? Rgb(1, 0, 0) : Rgb(0, 0, 1));
+  for (int i = 0; i < 256; ++i) image.pixels.push_back(i % 2 == 0 ? Colour(1, 0, 0) : Colour(0, 0, 1));
   const std::string file = test::bytes_of(write({image}, "a.jpg"));
   void* decoder = tjInitDecompress();
   int width = 0;
@@ -215,11 +217,11 @@ TEST_F(ImageFiles, JpegKeepsColourAtFullResolution) {
 }
 
 TEST_F(ImageFiles, ExposureBrightensWhatScreensShowAlone) {
-  const Image image{1, 1, {Rgb(0.05F, 0.1F, 0.25F)}};
+  const Image image{1, 1, {Colour(0.05F, 0.1F, 0.25F)}};
   for (const char* name : {"a.png", "a.tga", "a.jpg"}) {
     ImageFile file{image};
     file.exposure = 2;
-    const Rgb brighter = read(write(file, name)).pixels[0];
+    const Colour brighter = read(write(file, name)).pixels[0];
     EXPECT_NEAR(brighter.x, 0.2F, 0.01F) << name;
     EXPECT_NEAR(brighter.y, 0.4F, 0.01F) << name;
     EXPECT_NEAR(brighter.z, 1, 0.01F) << name;
@@ -234,16 +236,17 @@ TEST_F(ImageFiles, ExposureBrightensWhatScreensShowAlone) {
 }
 
 TEST_F(ImageFiles, WhatIsNoNumberIsBlackOnScreens) {
-  const Image image{3, 1, {Rgb(QuietNaN), Rgb(FloatInfinity), Rgb(-FloatInfinity)}};
+  const Image image{3, 1, {Colour(QuietNaN), Colour(FloatInfinity), Colour(-FloatInfinity)}};
   for (const char* name : {"a.png", "a.tga"}) {
-    EXPECT_EQ(read(write({image}, name)).pixels, (std::vector<Rgb>{Rgb(0), Rgb(1), Rgb(0)})) << name;
+    EXPECT_EQ(read(write({image}, name)).pixels, (std::vector<Colour>{Colour(0), Colour(1), Colour(0)}))
+        << name;
   }
 }
 
 TEST_F(ImageFiles, ExrHoldsLayersAndAttributes) {
   ImageFile file{gradient()};
   const std::size_t count = file.image.pixels.size();
-  file.layers.push_back(transport::layer_of("normal", "XYZ", file.image));
+  file.layers.push_back(image::layer_of("normal", "XYZ", file.image));
   file.layers.push_back({"depth", "Z", std::vector<float>(count, FloatInfinity)});
   file.layers.push_back({"samples", "", std::vector<float>(count, 7)});
   file.attributes = {{"BPT_Depth", "5"}, {"renderSeconds", 1.5F}, {"eye", grf::Vec3f(1, 2, 3)}};
@@ -280,14 +283,14 @@ TEST_F(ImageFiles, ExrHoldsLayersAndAttributes) {
 }
 
 TEST_F(ImageFiles, RefusesATypeThatItDoesNotKnow) {
-  EXPECT_FALSE(transport::write_image({gradient()}, folder_.path("image.bmp"), diagnostics_));
+  EXPECT_FALSE(image::write_image({gradient()}, folder_.path("image.bmp"), diagnostics_));
   EXPECT_NE(diagnostics_.to_text().find("exr, hdr, pfm, raw, png, jpg, tga"), std::string::npos)
       << diagnostics_.to_text();
 }
 
 TEST_F(ImageFiles, SaysWhatNoLibraryTakes) {
-  const Image wide{70000, 1, std::vector<Rgb>(70000)};
-  EXPECT_FALSE(transport::write_image({wide}, folder_.path("a.jpg"), diagnostics_));
+  const Image wide{70000, 1, std::vector<Colour>(70000)};
+  EXPECT_FALSE(image::write_image({wide}, folder_.path("a.jpg"), diagnostics_));
   EXPECT_NE(diagnostics_.to_text().find("a.jpg: error: cannot encode the image: turbojpeg: "),
             std::string::npos)
       << diagnostics_.to_text();
@@ -297,7 +300,7 @@ TEST_F(ImageFiles, SaysWhatNoLibraryTakes) {
 class LostFolders : public ImageFiles {
  protected:
   bool keep(const std::vector<std::string>& fallbacks, const std::string& path) {
-    return transport::keep_image({gradient()}, path, fallbacks, diagnostics_);
+    return image::keep_image({gradient()}, path, fallbacks, diagnostics_);
   }
   std::string last_message() const { return diagnostics_.entries().back().message; }
 

@@ -9,20 +9,20 @@
 #include <png.h>
 #include <turbojpeg.h>
 
-#include "renderer/transport/image/image_encoders.h"
-#include "renderer/transport/image/srgb.h"
+#include "renderer/image/encoders.h"
+#include "renderer/image/srgb.h"
 
-namespace transport {
+namespace image {
 namespace {
 
-using reflectance::Rgb;
+using grf::Colour;
 
 /// Three bytes per pixel, rows from the top.
 std::vector<std::uint8_t> srgb_bytes(const ImageFile& file) {
   const float scale = std::exp2(file.exposure);
   std::vector<std::uint8_t> bytes;
   bytes.reserve(3 * file.image.pixels.size());
-  for (const Rgb& pixel : file.image.pixels) {
+  for (const Colour& pixel : file.image.pixels) {
     for (int i = 0; i < 3; ++i) bytes.push_back(to_srgb_byte(scale * pixel[i]));
   }
   return bytes;
@@ -80,4 +80,4 @@ std::string encode_tga(const ImageFile& file) {
   return encoded;
 }
 
-}  // namespace transport
+}  // namespace image

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 
-namespace transport {
+namespace image {
 
 /// Returns a black image of that size; throws if its size exceeds any memory. With `file`: also if the size
 /// exceeds what so many bytes can encode with at most `pixels_a_byte` pixels per byte.
@@ -26,4 +26,4 @@ Image decode_radiance(std::string_view bytes);
 
 Image decode_tga(std::string_view bytes);
 
-}  // namespace transport
+}  // namespace image

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 
-namespace transport {
+namespace image {
 
 /// OpenEXR with 32-bit floats, lossless.
 std::string encode_exr(const ImageFile& file);
@@ -27,4 +27,4 @@ std::string encode_png(const ImageFile& file);
 std::string encode_jpeg(const ImageFile& file);
 std::string encode_tga(const ImageFile& file);
 
-}  // namespace transport
+}  // namespace image

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "grf/math.h"
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 
-namespace transport {
+namespace image {
 
 /// An extra layer of per-pixel values, such as `normal` with the channels X, Y and Z.
 struct ImageLayer {
@@ -76,4 +76,4 @@ Image image_of(const ImageLayer& layer, int width, int height);
 /// first one. Subsampled channels are left out.
 std::optional<ImageFile> read_image_file(const std::string& path, grf::Diagnostics& diagnostics);
 
-}  // namespace transport
+}  // namespace image

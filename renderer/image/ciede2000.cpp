@@ -1,10 +1,10 @@
-#include "renderer/transport/image/ciede2000.h"
+#include "renderer/image/ciede2000.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace transport {
+namespace image {
 namespace {
 
 constexpr double Pi = std::numbers::pi;
@@ -93,4 +93,4 @@ double ciede2000(const Lab& first, const Lab& second) {
   return std::sqrt(std::max(0.0, l * l + c * c + h * h + crossed * c * h));
 }
 
-}  // namespace transport
+}  // namespace image

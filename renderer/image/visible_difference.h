@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "grf/math.h"
-#include "renderer/transport/image/ciede2000.h"
-#include "renderer/transport/image/image.h"
+#include "renderer/image/ciede2000.h"
+#include "renderer/image/image.h"
 
-namespace transport {
+namespace image {
 
 /// How an image is seen.
 struct Viewing {
@@ -53,4 +53,4 @@ const std::vector<OpponentFilter>& opponent_filters();
 /// Converts XYZ to opponent colours.
 grf::Vec3d opponent_of(const grf::Vec3d& xyz);
 
-}  // namespace transport
+}  // namespace image

@@ -1,4 +1,4 @@
-#include "renderer/transport/image/visible_difference.h"
+#include "renderer/image/visible_difference.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include "grf/cie_colour.h"
 #include "renderer/parallel/loops.h"
 
-namespace transport {
+namespace image {
 namespace {
 
 using grf::Vec3d;
@@ -159,7 +159,7 @@ const Imath::M33d& xyz_to_opponent() {
   return matrix;
 }
 
-Vec3d on_screen(const reflectance::Rgb& pixel, double factor) {
+Vec3d on_screen(const grf::Colour& pixel, double factor) {
   const auto clipped = [factor](float value) {
     const double exposed = double(value) * factor;
     return exposed > 0 ? std::min(exposed, 1.0) : 0.0;  // NaN is black
@@ -222,4 +222,4 @@ VisibleDifference summary_of(std::vector<float> differences) {
   return summary;
 }
 
-}  // namespace transport
+}  // namespace image

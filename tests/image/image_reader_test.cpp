@@ -12,13 +12,13 @@
 #include <png.h>
 #include <turbojpeg.h>
 
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
-using reflectance::Rgb;
-using transport::Image;
+using grf::Colour;
+using image::Image;
 
 template <class... Bytes>
 std::string bytes(Bytes... values) {
@@ -39,8 +39,8 @@ std::string pfm_of(const Image& image) {
   std::string file = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
   for (int y = image.height - 1; y >= 0; --y) {
     for (int x = 0; x < image.width; ++x) {
-      const Rgb& pixel = image.at(x, y);
-      file.append(reinterpret_cast<const char*>(&pixel.x), sizeof(Rgb));
+      const Colour& pixel = image.at(x, y);
+      file.append(reinterpret_cast<const char*>(&pixel.x), sizeof(Colour));
     }
   }
   return file;
@@ -118,17 +118,17 @@ class ImageReader : public testing::Test {
  protected:
   std::optional<Image> read(const std::string& name, const std::string& file) {
     diagnostics_ = {};
-    return transport::read_image(folder_.add(name, file), diagnostics_);
+    return image::read_image(folder_.add(name, file), diagnostics_);
   }
 
   std::string encoded(const Image& image, const std::string& name) {
-    EXPECT_TRUE(transport::write_image({image}, folder_.path(name), diagnostics_));
+    EXPECT_TRUE(image::write_image({image}, folder_.path(name), diagnostics_));
     return test::bytes_of(folder_.path(name));
   }
 
-  void expect_everywhere(const std::optional<Image>& image, const Rgb& expected, float tolerance = 0) {
+  void expect_everywhere(const std::optional<Image>& image, const Colour& expected, float tolerance = 0) {
     ASSERT_TRUE(image) << diagnostics_.to_text();
-    for (const Rgb& pixel : image->pixels) {
+    for (const Colour& pixel : image->pixels) {
       for (int k = 0; k < 3; ++k) ASSERT_NEAR(pixel[k], expected[k], tolerance);
     }
   }
@@ -145,7 +145,7 @@ class ImageReader : public testing::Test {
   grf::Diagnostics diagnostics_;
 };
 
-const Rgb Orange(1, 0.2158605F, 0);  // 255, 128, 0
+const Colour Orange(1, 0.2158605F, 0);  // 255, 128, 0
 
 // A code up to 128 is followed by that many bytes; a greater one by a single byte, for as many pixels less
 // 128.
@@ -159,10 +159,10 @@ TEST_F(ImageReader, TakesRunsOfRadianceOfAnyLength) {
   ASSERT_TRUE(image) << diagnostics_.to_text();
   // The exponent 130 makes 64 of a byte 1.
   for (int x = 0; x < 128; ++x) EXPECT_EQ(image->at(x, 0).x, static_cast<float>(x) / 64) << x;
-  EXPECT_EQ(image->at(128, 0), Rgb(200.0F / 64, 2, 0.5F));
-  EXPECT_EQ(image->at(129, 0), Rgb(100.0F / 64, 2, 0.5F));
-  EXPECT_EQ(image->at(126, 0), Rgb(126.0F / 64, 1, 0));
-  EXPECT_EQ(image->at(127, 0), Rgb(127.0F / 64, 2, 0.5F));
+  EXPECT_EQ(image->at(128, 0), Colour(200.0F / 64, 2, 0.5F));
+  EXPECT_EQ(image->at(129, 0), Colour(100.0F / 64, 2, 0.5F));
+  EXPECT_EQ(image->at(126, 0), Colour(126.0F / 64, 1, 0));
+  EXPECT_EQ(image->at(127, 0), Colour(127.0F / 64, 2, 0.5F));
 }
 
 TEST_F(ImageReader, ReadsWhatTheWriterWrites) {
@@ -179,17 +179,17 @@ TEST_F(ImageReader, ReadsWhatTheWriterWrites) {
 TEST_F(ImageReader, ReadsPortableFloatMaps) {
   const Image image = gradient(5, 3);
   EXPECT_EQ(read("a.pfm", pfm_of(image))->pixels, image.pixels);
-  EXPECT_EQ(read("b.pfm", big_endian_grey_pfm())->pixels, (std::vector<Rgb>{Rgb(1), Rgb(2)}));
+  EXPECT_EQ(read("b.pfm", big_endian_grey_pfm())->pixels, (std::vector<Colour>{Colour(1), Colour(2)}));
 }
 
 TEST_F(ImageReader, ReadsRadianceTgaJpegAndDeepPng) {
-  const Rgb radiance(0.5F, 1, 2);
+  const Colour radiance(0.5F, 1, 2);
   expect_everywhere(read("a.hdr", radiance_file(4, 3)), radiance);
   expect_everywhere(read("b.hdr", radiance_rle_file(20, 3)), radiance);
   expect_everywhere(read("c.tga", tga_file(4, 3)), Orange, 1e-6F);
   expect_everywhere(read("d.tga", tga_rle_file(20, 3)), Orange, 1e-6F);
   expect_everywhere(read("e.jpg", jpeg_file(20, 30)), Orange, 0.01F);
-  expect_everywhere(read("f.png", deep_png_file(6554)), Rgb(0.100008F), 1e-4F);
+  expect_everywhere(read("f.png", deep_png_file(6554)), Colour(0.100008F), 1e-4F);
 }
 
 TEST_F(ImageReader, ReadsWhatElseRadianceFilesSay) {
@@ -197,15 +197,15 @@ TEST_F(ImageReader, ReadsWhatElseRadianceFilesSay) {
   const auto image =
       read("a.hdr", "#?RADIANCE\nEXPOSURE=0.5\nEXPOSURE= 2\nEXPOSURE=4\n\n+Y 1 -X 4\n" + pixels);
   ASSERT_TRUE(image) << diagnostics_.to_text();
-  const Rgb half(0.125F, 0, 0);
-  EXPECT_EQ(image->pixels, (std::vector<Rgb>{half * 2, half, half, half}));
+  const Colour half(0.125F, 0, 0);
+  EXPECT_EQ(image->pixels, (std::vector<Colour>{half * 2, half, half, half}));
   expect_error("b.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 4\n", "it is damaged (its pixels");
   expect_error("c.hdr", "#?RADIANCE\n\n+X 1 +Y 4\n",
                "it is damaged (its resolution is not given as rows and");
 }
 
 TEST_F(ImageReader, TellsFilesByWhatTheyHold) {
-  expect_everywhere(read("a.jpg", radiance_file(4, 3)), Rgb(0.5F, 1, 2));
+  expect_everywhere(read("a.jpg", radiance_file(4, 3)), Colour(0.5F, 1, 2));
   expect_everywhere(read("without", jpeg_file(20, 30)), Orange, 0.01F);
 }
 
@@ -228,9 +228,9 @@ std::string exr_with(const std::string& path, const std::vector<const char*>& ch
 
 TEST_F(ImageReader, ReadsOpenExrByItsChannels) {
   const std::string path = folder_.path("made.exr");
-  expect_everywhere(read("a.exr", exr_with(path, {"Y"})), Rgb(0.5F));
-  expect_everywhere(read("b.exr", exr_with(path, {"R", "G", "B", "A", "Z"})), Rgb(0.5F));
-  expect_everywhere(read("c.exr", exr_with(path, {"G"})), Rgb(0, 0.5F, 0));
+  expect_everywhere(read("a.exr", exr_with(path, {"Y"})), Colour(0.5F));
+  expect_everywhere(read("b.exr", exr_with(path, {"R", "G", "B", "A", "Z"})), Colour(0.5F));
+  expect_everywhere(read("c.exr", exr_with(path, {"G"})), Colour(0, 0.5F, 0));
   expect_error("d.exr", exr_with(path, {"Z"}),
                "it is damaged (its channels are neither R, G and B nor only Y)");
 }
@@ -253,43 +253,42 @@ std::string numbered_exr(const std::string& path, const std::vector<std::string>
 }
 
 TEST_F(ImageReader, ReadsTheLayersOfOpenExr) {
-  const auto file = transport::read_image_file(
+  const auto file = image::read_image_file(
       numbered_exr(folder_.path("a.exr"), {"B", "G", "R", "albedo.B", "albedo.G", "albedo.R", "depth.Z",
                                            "normal.X", "normal.Y", "normal.Z", "samples", "pass.one.A"}),
       diagnostics_);
   ASSERT_TRUE(file) << diagnostics_.to_text();
-  EXPECT_EQ(file->image.pixels, std::vector<Rgb>(12, Rgb(2, 1, 0)));
+  EXPECT_EQ(file->image.pixels, std::vector<Colour>(12, Colour(2, 1, 0)));
   std::map<std::string, std::string> letters;
-  std::map<std::string, Rgb> values;
-  for (const transport::ImageLayer& layer : file->layers) {
+  std::map<std::string, Colour> values;
+  for (const image::ImageLayer& layer : file->layers) {
     letters[layer.name] = layer.channels;
-    const Image image = transport::image_of(layer, 4, 3);
+    const Image image = image::image_of(layer, 4, 3);
     values[layer.name] = image.pixels.back();
-    EXPECT_EQ(image.pixels, std::vector<Rgb>(12, image.pixels.back())) << layer.name;
+    EXPECT_EQ(image.pixels, std::vector<Colour>(12, image.pixels.back())) << layer.name;
   }
   const std::map<std::string, std::string> expected_letters = {
       {"albedo", "RGB"}, {"depth", "Z"}, {"normal", "XYZ"}, {"samples", ""}, {"pass.one", "A"}};
   EXPECT_EQ(letters, expected_letters);
-  const std::map<std::string, Rgb> expected = {{"albedo", Rgb(5, 4, 3)},
-                                               {"depth", Rgb(6)},
-                                               {"normal", Rgb(7, 8, 9)},
-                                               {"samples", Rgb(10)},
-                                               {"pass.one", Rgb(11)}};
+  const std::map<std::string, Colour> expected = {{"albedo", Colour(5, 4, 3)},
+                                                  {"depth", Colour(6)},
+                                                  {"normal", Colour(7, 8, 9)},
+                                                  {"samples", Colour(10)},
+                                                  {"pass.one", Colour(11)}};
   EXPECT_EQ(values, expected);
 }
 
 TEST_F(ImageReader, ShowsALayerOfAnOpenExrThatHasNoImage) {
-  const auto passes = transport::read_image_file(
+  const auto passes = image::read_image_file(
       numbered_exr(folder_.path("a.exr"), {"a.Z", "view.A", "view.B", "view.G", "view.R"}), diagnostics_);
   ASSERT_TRUE(passes) << diagnostics_.to_text();
   EXPECT_EQ(passes->layers.size(), 2U);
-  EXPECT_EQ(passes->image.pixels.front(), Rgb(4, 3, 2)) << "the first one in colour";
-  const auto depth =
-      transport::read_image_file(numbered_exr(folder_.path("b.exr"), {"W", "Z"}), diagnostics_);
+  EXPECT_EQ(passes->image.pixels.front(), Colour(4, 3, 2)) << "the first one in colour";
+  const auto depth = image::read_image_file(numbered_exr(folder_.path("b.exr"), {"W", "Z"}), diagnostics_);
   ASSERT_TRUE(depth) << diagnostics_.to_text();
   EXPECT_EQ(depth->layers.size(), 2U);
-  EXPECT_EQ(depth->image.pixels.front(), Rgb(0)) << "the first one";
-  const auto other = transport::read_image_file(folder_.add("c.pfm", pfm_of(gradient(5, 3))), diagnostics_);
+  EXPECT_EQ(depth->image.pixels.front(), Colour(0)) << "the first one";
+  const auto other = image::read_image_file(folder_.add("c.pfm", pfm_of(gradient(5, 3))), diagnostics_);
   ASSERT_TRUE(other) << diagnostics_.to_text();
   EXPECT_TRUE(other->layers.empty());
 }
@@ -319,9 +318,9 @@ TEST_F(ImageReader, SaysWhatIsWrong) {
                "it is damaged (it is longer than its width and height require)");
   expect_error("m.raw", std::string(40, '\xff'), "it is damaged (unexpected end of file)");
   expect_error("i.tga", "some text", "it is damaged (");
-  EXPECT_FALSE(transport::read_image(folder_.path("none.exr"), diagnostics_ = {}));
+  EXPECT_FALSE(image::read_image(folder_.path("none.exr"), diagnostics_ = {}));
   EXPECT_EQ(diagnostics_.error_count(), 1U);
-  EXPECT_FALSE(transport::read_image(folder_.path(), diagnostics_ = {}));
+  EXPECT_FALSE(image::read_image(folder_.path(), diagnostics_ = {}));
   EXPECT_EQ(diagnostics_.error_count(), 1U);
 }
 
@@ -329,7 +328,7 @@ TEST_F(ImageReader, SaysItAtThePlaceThatNamesTheFile) {
   const std::string path = folder_.add("a.exr", "\x76\x2f\x31\x01 and no more");
   const auto file = std::make_shared<grf::SourceFile>();
   file->path = "scene.op";
-  EXPECT_FALSE(transport::read_image(path, diagnostics_, {file, 3, 20}));
+  EXPECT_FALSE(image::read_image(path, diagnostics_, {file, 3, 20}));
   EXPECT_TRUE(diagnostics_.to_text().starts_with("scene.op:3:20: error: cannot read the image '" + path +
                                                  "': it is damaged ("))
       << diagnostics_.to_text();

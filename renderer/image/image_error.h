@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "renderer/transport/image/image.h"
+#include "renderer/image/image.h"
 
-namespace transport {
+namespace image {
 
 /// relMSE adds this constant to its denominator, so that the error of dark pixels is bounded.
 inline constexpr double RelmseFloor = 0.01;
@@ -32,4 +32,4 @@ struct ImageError {
 /// Compares images of the same size. All values are 0 if no pixel counts.
 ImageError error_of(const Image& image, const Image& reference);
 
-}  // namespace transport
+}  // namespace image

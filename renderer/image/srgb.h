@@ -7,7 +7,7 @@
 
 #include "grf/srgb.h"
 
-namespace transport {
+namespace image {
 
 /// The linear values of sRGB-encoded bytes (IEC 61966-2-1); 255 is 1.
 using SrgbTable = std::array<float, 256>;
@@ -29,4 +29,4 @@ inline std::uint8_t to_srgb_byte(float linear) {
   return static_cast<std::uint8_t>(std::lround(255 * grf::srgb_encoded(std::min(linear, 1.0F))));
 }
 
-}  // namespace transport
+}  // namespace image

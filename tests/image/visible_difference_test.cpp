@@ -1,4 +1,4 @@
-#include "renderer/transport/image/visible_difference.h"
+#include "renderer/image/visible_difference.h"
 
 #include <array>
 #include <cmath>
@@ -11,10 +11,10 @@
 
 namespace {
 
-using reflectance::Rgb;
-using transport::Image;
-using transport::Lab;
-using transport::Viewing;
+using grf::Colour;
+using image::Image;
+using image::Lab;
+using image::Viewing;
 
 struct Pair {
   Lab first;
@@ -72,11 +72,11 @@ TEST(Ciede2000, HasThePublishedDifferences) {
 // Lindbloom's calculator gives these for sRGB with the white D65.
 TEST(Ciede2000, IsOfCielab) {
   const grf::Vec3d white = grf::xyz_of_srgb({1, 1, 1});
-  const Lab red = transport::lab_of(grf::xyz_of_srgb({1, 0, 0}), white);
+  const Lab red = image::lab_of(grf::xyz_of_srgb({1, 0, 0}), white);
   EXPECT_NEAR(red.lightness, 53.2408, 1e-3);
   EXPECT_NEAR(red.a, 80.0925, 2e-3);
   EXPECT_NEAR(red.b, 67.2032, 2e-3);
-  const Lab dark = transport::lab_of(grf::xyz_of_srgb({0.001, 0.001, 0.001}), white);
+  const Lab dark = image::lab_of(grf::xyz_of_srgb({0.001, 0.001, 0.001}), white);
   EXPECT_NEAR(dark.lightness, 0.9033, 1e-4) << "903.3 Y below 0.008856";
 }
 
@@ -96,13 +96,13 @@ TEST(VisibleDifference, HasThePublishedFilters) {
                                          {2, 0, 0.488, 0.0536},
                                          {2, 1, 0.371, 0.386}}};
   for (const Row& row : Table) {
-    const auto& gaussian = transport::opponent_filters().at(row.channel).gaussians.at(row.gaussian);
+    const auto& gaussian = image::opponent_filters().at(row.channel).gaussians.at(row.gaussian);
     EXPECT_EQ(gaussian.weight, row.weight);
     EXPECT_EQ(gaussian.spread, row.spread);
   }
-  const grf::Vec3d of_x = transport::opponent_of({1, 0, 0});
-  const grf::Vec3d of_y = transport::opponent_of({0, 1, 0});
-  const grf::Vec3d of_z = transport::opponent_of({0, 0, 1});
+  const grf::Vec3d of_x = image::opponent_of({1, 0, 0});
+  const grf::Vec3d of_y = image::opponent_of({0, 1, 0});
+  const grf::Vec3d of_z = image::opponent_of({0, 0, 1});
   EXPECT_EQ(of_x, grf::Vec3d(0.279, -0.449, 0.086));
   EXPECT_EQ(of_y, grf::Vec3d(0.720, 0.290, -0.590));
   EXPECT_EQ(of_z, grf::Vec3d(-0.107, -0.077, 0.501));
@@ -158,14 +158,14 @@ TEST(VisibleDifference, PassesGratingsAsTheFiltersDo) {
           image.pixels.emplace_back(middle + wave * std::cos(phase));
         }
       }
-      const transport::SeenImage seen = transport::seen(image, viewing);
+      const image::SeenImage seen = image::seen(image, viewing);
       for (int channel = 0; channel < 3; ++channel) {
         std::vector<double> values;
         for (int i = 0; i < Length; ++i) {
           const auto pixel = static_cast<std::size_t>(is_across ? Length + i : 3 * i + 1);
-          values.push_back(transport::opponent_of(xyz_of(seen[pixel]))[channel]);
+          values.push_back(image::opponent_of(xyz_of(seen[pixel]))[channel]);
         }
-        const double before = std::abs(transport::opponent_of(grf::xyz_of_srgb(wave))[channel]);
+        const double before = std::abs(image::opponent_of(grf::xyz_of_srgb(wave))[channel]);
         const double expected = transfer(filters[static_cast<std::size_t>(channel)], 40.0 / period);
         EXPECT_NEAR(amplitude(values, 1.0 / period) / before, expected, 0.01)
             << "channel " << channel << ", period " << period << (is_across ? " across" : " down");
@@ -174,50 +174,51 @@ TEST(VisibleDifference, PassesGratingsAsTheFiltersDo) {
   }
 }
 
-Image plain(int width, int height, const Rgb& colour) {
-  return {width, height, std::vector<Rgb>(static_cast<std::size_t>(width * height), colour)};
+Image plain(int width, int height, const Colour& colour) {
+  return {width, height, std::vector<Colour>(static_cast<std::size_t>(width * height), colour)};
 }
 
 // The filters keep areas of one colour, up to the image's border.
 TEST(VisibleDifference, OfPlainImagesIsThatOfTheirColours) {
-  const Rgb one(0.2F, 0.5F, 0.4F);
-  const Rgb other(0.25F, 0.5F, 0.4F);
+  const Colour one(0.2F, 0.5F, 0.4F);
+  const Colour other(0.25F, 0.5F, 0.4F);
   const grf::Vec3d white = grf::xyz_of_srgb({1, 1, 1});
-  const double expected = ciede2000(transport::lab_of(grf::xyz_of_srgb(grf::Vec3d(one)), white),
-                                    transport::lab_of(grf::xyz_of_srgb(grf::Vec3d(other)), white));
+  const double expected = ciede2000(image::lab_of(grf::xyz_of_srgb(grf::Vec3d(one)), white),
+                                    image::lab_of(grf::xyz_of_srgb(grf::Vec3d(other)), white));
   ASSERT_GT(expected, 1);
   const auto differences = visible_differences(seen(plain(70, 30, one), {}), seen(plain(70, 30, other), {}));
   for (const float difference : differences) ASSERT_NEAR(double(difference), expected, 1e-3);
 }
 
 TEST(VisibleDifference, IsOfWhatTheScreenShows) {
-  const auto difference = [](const Rgb& one, const Rgb& other, double exposure) {
+  const auto difference = [](const Colour& one, const Colour& other, double exposure) {
     const Viewing viewing = {exposure, 40};
-    return transport::summary_of(
+    return image::summary_of(
                visible_differences(seen(plain(8, 8, one), viewing), seen(plain(8, 8, other), viewing)))
         .mean;
   };
-  EXPECT_EQ(difference(Rgb(2), Rgb(3), 0), 0) << "both are white";
-  EXPECT_GT(difference(Rgb(2), Rgb(3), -2), 1);
-  EXPECT_NEAR(difference(Rgb(0.5F), Rgb(0.75F), 0), difference(Rgb(2), Rgb(3), -2), 1e-4);
-  EXPECT_EQ(difference(Rgb(-1), Rgb(0), 0), 0) << "both are black";
+  EXPECT_EQ(difference(Colour(2), Colour(3), 0), 0) << "both are white";
+  EXPECT_GT(difference(Colour(2), Colour(3), -2), 1);
+  EXPECT_NEAR(difference(Colour(0.5F), Colour(0.75F), 0), difference(Colour(2), Colour(3), -2), 1e-4);
+  EXPECT_EQ(difference(Colour(-1), Colour(0), 0), 0) << "both are black";
 }
 
 // The eye sees less of fine noise than of coarse noise, and less from farther away.
 TEST(VisibleDifference, IsLessWhereTheEyeBlurs) {
   const auto checkered = [](int size) {
-    Image image = plain(128, 128, Rgb(0.4F));
+    Image image = plain(128, 128, Colour(0.4F));
     for (int y = 0; y < 128; ++y) {
       for (int x = 0; x < 128; ++x) {
-        if ((x / size + y / size) % 2 == 0) image.pixels[static_cast<std::size_t>(y * 128 + x)] = Rgb(0.5F);
+        if ((x / size + y / size) % 2 == 0)
+          image.pixels[static_cast<std::size_t>(y * 128 + x)] = Colour(0.5F);
       }
     }
     return image;
   };
   const auto difference = [&](int size, double pixels_per_degree) {
     const Viewing viewing = {0, pixels_per_degree};
-    return transport::summary_of(visible_differences(seen(checkered(size), viewing),
-                                                     seen(plain(128, 128, Rgb(0.45F)), viewing)))
+    return image::summary_of(visible_differences(seen(checkered(size), viewing),
+                                                 seen(plain(128, 128, Colour(0.45F)), viewing)))
         .percentile_95;
   };
   EXPECT_LT(difference(1, 40), 0.5 * difference(8, 40));
@@ -227,10 +228,10 @@ TEST(VisibleDifference, IsLessWhereTheEyeBlurs) {
 TEST(VisibleDifference, IsSummarisedByMeanAndPercentile) {
   std::vector<float> values;
   for (int i = 100; i > 0; --i) values.push_back(static_cast<float>(i));
-  const transport::VisibleDifference summary = transport::summary_of(values);
+  const image::VisibleDifference summary = image::summary_of(values);
   EXPECT_NEAR(summary.mean, 50.5, 1e-9);
   EXPECT_EQ(summary.percentile_95, 95);
-  EXPECT_EQ(transport::summary_of({3}).percentile_95, 3);
+  EXPECT_EQ(image::summary_of({3}).percentile_95, 3);
 }
 
 }  // namespace

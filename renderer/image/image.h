@@ -7,17 +7,17 @@
 #include <vector>
 
 #include "grf/diagnostics.h"
-#include "renderer/reflectance/geometry.h"
+#include "grf/math.h"
 
-namespace transport {
+namespace image {
 
 /// Linear RGB radiance, rows from the top.
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<reflectance::Rgb> pixels;
+  std::vector<grf::Colour> pixels;
 
-  const reflectance::Rgb& at(int x, int y) const {
+  const grf::Colour& at(int x, int y) const {
     return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                   static_cast<std::size_t>(x)];
   }
@@ -37,4 +37,4 @@ using ImageReader = std::function<std::optional<Image>(const std::string& path, 
 /// Whether a file name has this extension; case is ignored.
 bool has_extension(const std::string& path, std::string_view extension);
 
-}  // namespace transport
+}  // namespace image

@@ -1,4 +1,4 @@
-#include "renderer/transport/image/image_file.h"
+#include "renderer/image/image_file.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "grf/text_file.h"
-#include "renderer/transport/image/image_encoders.h"
+#include "renderer/image/encoders.h"
 
-namespace transport {
+namespace image {
 namespace {
 
 /// Creates a new folder for this program only, so that nobody else can have placed a link at the image's
@@ -111,7 +111,7 @@ ImageLayer layer_of(std::string name, std::string channels, const Image& image) 
 Image image_of(const ImageLayer& layer, int width, int height) {
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const std::size_t channels = std::max<std::size_t>(1, layer.channels.size());
-  Image image{width, height, std::vector<reflectance::Rgb>(pixels, reflectance::Rgb(0))};
+  Image image{width, height, std::vector<grf::Colour>(pixels, grf::Colour(0))};
   for (std::size_t i = 0; i < pixels; ++i) {
     const float* values = &layer.values[i * channels];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -121,4 +121,4 @@ Image image_of(const ImageLayer& layer, int width, int height) {
   return image;
 }
 
-}  // namespace transport
+}  // namespace image

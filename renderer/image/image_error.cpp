@@ -1,15 +1,15 @@
-#include "renderer/transport/image/image_error.h"
+#include "renderer/image/image_error.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 
-namespace transport {
+namespace image {
 namespace {
 
-using reflectance::Rgb;
+using grf::Colour;
 
-bool is_finite_pixel(const Rgb& pixel) {
+bool is_finite_pixel(const Colour& pixel) {
   return std::isfinite(pixel.x) && std::isfinite(pixel.y) && std::isfinite(pixel.z);
 }
 
@@ -23,7 +23,7 @@ struct Sums {
   double peak = 0;
   double largest = 0;
 
-  void add(const Rgb& pixel, const Rgb& reference) {
+  void add(const Colour& pixel, const Colour& reference) {
     double difference = 0;
     double radiance = 0;
     for (int i = 0; i < 3; ++i) {
@@ -44,13 +44,13 @@ struct Sums {
 };
 
 /// The brightness of a pixel; empty if it is not finite.
-double brightness(const Rgb& pixel) {
+double brightness(const Colour& pixel) {
   return is_finite_pixel(pixel) ? (static_cast<double>(pixel.x) + pixel.y + pixel.z) / 3 : 0;
 }
 
 double mean_brightness(const Image& image) {
   double sum = 0;
-  for (const Rgb& pixel : image.pixels) sum += brightness(pixel);
+  for (const Colour& pixel : image.pixels) sum += brightness(pixel);
   return sum / static_cast<double>(image.pixels.size());
 }
 
@@ -104,4 +104,4 @@ ImageError error_of(const Image& image, const Image& reference) {
   return error;
 }
 
-}  // namespace transport
+}  // namespace image
