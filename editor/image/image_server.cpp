@@ -4,7 +4,7 @@
 #include <QTcpSocket>
 #include <QTimer>
 
-#include "renderer/transport/display_address.h"
+#include "renderer/display/address.h"
 
 namespace editor {
 namespace {
@@ -32,7 +32,7 @@ ImageServer::ImageServer(QObject* parent) : QObject(parent), server_(new QTcpSer
 }
 
 quint16 ImageServer::usual_port() {
-  return QString::fromStdString(transport::default_display_address().port).toUShort();
+  return QString::fromStdString(display::default_address().port).toUShort();
 }
 
 bool ImageServer::listen(quint16 port) { return server_->listen(QHostAddress::LocalHost, port); }
@@ -51,11 +51,10 @@ void ImageServer::accept() {
 }
 
 void ImageServer::read(QTcpSocket* socket) {
-  for (qint64 taken = 0; socket->bytesAvailable() >= qint64(transport::DisplayLengthBytes);) {
-    const QByteArray head = socket->peek(transport::DisplayLengthBytes);
-    const auto size =
-        static_cast<qint64>(transport::display_packet_size({head.data(), std::size_t(head.size())}));
-    if (size <= qint64(transport::DisplayLengthBytes) || size > LargestPacket) {
+  for (qint64 taken = 0; socket->bytesAvailable() >= qint64(display::LengthBytes);) {
+    const QByteArray head = socket->peek(display::LengthBytes);
+    const auto size = static_cast<qint64>(display::packet_size({head.data(), std::size_t(head.size())}));
+    if (size <= qint64(display::LengthBytes) || size > LargestPacket) {
       emit failed(tr("A program sent data that is not a packet of the tev protocol, and was disconnected."));
       return socket->abort();
     }
@@ -74,26 +73,26 @@ void ImageServer::read(QTcpSocket* socket) {
 }
 
 bool ImageServer::apply(const QByteArray& bytes) {
-  const auto packet = transport::read_display_packet({bytes.data(), std::size_t(bytes.size())});
+  const auto packet = display::read_packet({bytes.data(), std::size_t(bytes.size())});
   if (!packet) return false;
   std::visit([this](const auto& kind) { apply(kind); }, *packet);
   if (!changed_.isEmpty() && !announcing_.isActive()) announcing_.start();
   return true;
 }
 
-void ImageServer::apply(const transport::CloseImagePacket& packet) {
+void ImageServer::apply(const display::CloseImagePacket& packet) {
   announce();
   if (images_.erase(text_of(packet.name)) > 0) emit closed(text_of(packet.name));
 }
 
-void ImageServer::apply(const transport::CreateImagePacket& packet) {
+void ImageServer::apply(const display::CreateImagePacket& packet) {
   const auto pixels = static_cast<std::size_t>(packet.width) * static_cast<std::size_t>(packet.height);
   images_[text_of(packet.name)] = std::make_shared<image::Image>(
-      image::Image{packet.width, packet.height, std::vector<transport::Rgb>(pixels, transport::Rgb(0))});
+      image::Image{packet.width, packet.height, std::vector<grf::Colour>(pixels, grf::Colour(0))});
   changed_.insert(text_of(packet.name));
 }
 
-void ImageServer::apply(const transport::UpdateImagePacket& packet) {
+void ImageServer::apply(const display::UpdateImagePacket& packet) {
   const auto found = images_.find(text_of(packet.name));
   if (found == images_.end()) return;
   std::shared_ptr<image::Image>& image = found->second;

@@ -6,7 +6,8 @@
 #include <map>
 #include <memory>
 
-#include "renderer/transport/display_reader.h"
+#include "renderer/display/reader.h"
+#include "renderer/image/image.h"
 
 class QTcpServer;
 class QTcpSocket;
@@ -42,10 +43,10 @@ class ImageServer : public QObject {
   void accept();
   void read(QTcpSocket* socket);
   bool apply(const QByteArray& bytes);
-  void apply(const transport::CloseImagePacket& packet);
-  void apply(const transport::CreateImagePacket& packet);
-  void apply(const transport::UpdateImagePacket& packet);
-  void apply(const transport::OtherPacket&) {}
+  void apply(const display::CloseImagePacket& packet);
+  void apply(const display::CreateImagePacket& packet);
+  void apply(const display::UpdateImagePacket& packet);
+  void apply(const display::OtherPacket&) {}
   void announce();
 
   QTcpServer* server_;

@@ -155,9 +155,9 @@ RunSettings run_settings_of(const RenderOptions& render_options, const std::stri
     settings.fingerprint = fingerprint_of(render_options, diagnostics.files());
   }
   if (!render_options.display_server.empty()) {
-    settings.display = transport::display_address_of(render_options.display_server);
+    settings.display = display::address_of(render_options.display_server);
   } else if (render_options.shows_window) {
-    settings.display = transport::default_display_address();
+    settings.display = display::default_address();
     settings.viewer_launcher = [viewer = ImageViewerProcess()]() mutable { return viewer.ensure_running(); };
   }
   settings.title = output;

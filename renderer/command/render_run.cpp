@@ -53,13 +53,13 @@ void show_progress(const transport::Render& render, ProgressReport& report) {
   report.show(progress);
 }
 
-void print_problem(std::optional<transport::DisplayClient>& display) {
+void print_problem(std::optional<display::Client>& display) {
   if (!display) return;
   if (const auto problem = display->take_problem()) fmt::print(stderr, "warning: {}\n", *problem);
 }
 
 /// Waits for the image viewer, which may start more slowly than a short render takes.
-void wait_for_viewer(const transport::DisplayClient& display, const SignalHandler& signal_handler) {
+void wait_for_viewer(const display::Client& display, const SignalHandler& signal_handler) {
   while (display.is_connecting() && !signal_handler.was_signalled()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
@@ -76,7 +76,7 @@ bool resume(Work& work, const RunSettings& settings, grf::Diagnostics& diagnosti
 bool run(transport::Render& render, SignalHandler& signal_handler, const RunSettings& settings,
          ProgressReport& progress, grf::Diagnostics& diagnostics) {
   if (!resume(render, settings, diagnostics)) return false;
-  std::optional<transport::DisplayClient> display;
+  std::optional<display::Client> display;
   if (settings.display) display.emplace(render, *settings.display, settings.title, settings.viewer_launcher);
   CheckpointKeeper<transport::Render> checkpoint(render, settings);
   const auto watch = [&] {

@@ -10,9 +10,9 @@
 #include "grf/diagnostics.h"
 #include "renderer/command/render_progress.h"
 #include "renderer/command/signal_handler.h"
+#include "renderer/display/client.h"
 #include "renderer/transport/bake_checkpoint.h"
 #include "renderer/transport/checkpoint.h"
-#include "renderer/transport/display_client.h"
 
 namespace command {
 
@@ -20,8 +20,8 @@ namespace command {
 struct RunSettings {
   std::string checkpoint;  ///< path; empty: none
   transport::Fingerprint fingerprint;
-  std::optional<transport::DisplayAddress> display;
-  transport::ViewerLauncher
+  std::optional<display::Address> display;
+  display::ViewerLauncher
       viewer_launcher;  ///< starts an image viewer if none listens there; empty: starts none
   std::string title;    ///< of the displayed image
 };

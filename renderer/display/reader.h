@@ -1,4 +1,4 @@
-// The viewer's side of `display_packets.h` decodes packets of tev's network protocol.
+// The viewer's side of `packets.h` decodes packets of tev's network protocol.
 #pragma once
 
 #include <array>
@@ -9,9 +9,10 @@
 #include <variant>
 #include <vector>
 
-#include "renderer/transport/film.h"
+#include "grf/math.h"
+#include "renderer/transport/tile_bounds.h"
 
-namespace transport {
+namespace display {
 
 struct CloseImagePacket {
   std::string name;
@@ -25,10 +26,10 @@ struct CreateImagePacket {
 
 struct UpdateImagePacket {
   std::string name;
-  TileBounds bounds;
+  transport::TileBounds bounds;
   /// Linear radiance, rows from the top. Without channels called R, G and B, the first channel is shown in
   /// grey.
-  std::vector<Rgb> pixels;
+  std::vector<grf::Colour> pixels;
   /// Which of R, G and B are in the packet; the others keep their values in the image.
   std::array<bool, 3> has_channel = {true, true, true};
 };
@@ -36,16 +37,16 @@ struct UpdateImagePacket {
 /// A packet with an operation that Granada's viewer does not support, such as opening a file.
 struct OtherPacket {};
 
-using DisplayPacket = std::variant<CloseImagePacket, CreateImagePacket, UpdateImagePacket, OtherPacket>;
+using Packet = std::variant<CloseImagePacket, CreateImagePacket, UpdateImagePacket, OtherPacket>;
 
 /// The number of bytes of the length with which a packet starts.
-inline constexpr std::size_t DisplayLengthBytes = 4;
+inline constexpr std::size_t LengthBytes = 4;
 
 /// Returns the size of the packet that starts with these bytes, of which there must be at least
-/// `DisplayLengthBytes`.
-std::size_t display_packet_size(std::string_view bytes);
+/// `LengthBytes`.
+std::size_t packet_size(std::string_view bytes);
 
 /// Decodes a complete packet; empty if it is malformed.
-std::optional<DisplayPacket> read_display_packet(std::string_view bytes);
+std::optional<Packet> read_packet(std::string_view bytes);
 
-}  // namespace transport
+}  // namespace display

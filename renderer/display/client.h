@@ -10,10 +10,10 @@
 #include <thread>
 #include <vector>
 
-#include "renderer/transport/display_address.h"
+#include "renderer/display/address.h"
 #include "renderer/transport/render.h"
 
-namespace transport {
+namespace display {
 
 /// Starts a viewer on the first call and watches it on the later ones: returns what prevents it from running,
 /// or nothing if all is well.
@@ -22,16 +22,16 @@ using ViewerLauncher = std::function<std::optional<std::string>()>;
 /// Shows a running render in a viewer that speaks tev's protocol. A thread of its own watches the render and
 /// sends changed tiles: a slow viewer receives fewer intermediate states, and the render never waits. The
 /// client ends when the viewer disconnects.
-class DisplayClient {
+class Client {
  public:
   /// The render must outlive the client. If nobody listens, `viewer_launcher` can start a viewer: the
   /// client's thread calls it periodically until the viewer listens.
-  DisplayClient(const Render& render, DisplayAddress address, std::string image_name,
-                ViewerLauncher viewer_launcher = {});
-  DisplayClient(const DisplayClient&) = delete;
-  DisplayClient& operator=(const DisplayClient&) = delete;
+  Client(const transport::Render& render, Address address, std::string image_name,
+         ViewerLauncher viewer_launcher = {});
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
   /// Discards what was not sent.
-  ~DisplayClient();
+  ~Client();
 
   /// Sends what is left, within the given time; to be called once the render has ended.
   void finish(std::chrono::milliseconds time = std::chrono::seconds(2));
@@ -53,8 +53,8 @@ class DisplayClient {
   bool is_out_of_time() const;
   void fail(const std::string& why);
 
-  const Render& render_;
-  const DisplayAddress address_;
+  const transport::Render& render_;
+  const Address address_;
   const std::string name_;
   const ViewerLauncher viewer_launcher_;
   std::vector<std::uint32_t> sent_;  ///< per tile: the number of samples when it was last sent
@@ -68,4 +68,4 @@ class DisplayClient {
   std::thread thread_;  ///< last member, because it uses the others
 };
 
-}  // namespace transport
+}  // namespace display

@@ -1,21 +1,22 @@
 // A test viewer that decodes tev's protocol from its specification, independently of the code that sends.
+#include "renderer/display/client.h"
+
 #include <cstring>
 #include <thread>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "renderer/transport/display_client.h"
 #include "tests/support/listener.h"
 #include "tests/transport/scene_helpers.h"
 
 namespace {
 
-using transport::DisplayAddress;
-using transport::DisplayClient;
+using display::Address;
+using display::Client;
 using transport::Render;
 
-DisplayAddress address_of(const test::Listener& viewer) { return {"127.0.0.1", viewer.port()}; }
+Address address_of(const test::Listener& viewer) { return {"127.0.0.1", viewer.port()}; }
 
 /// Reads the fields of a packet one by one.
 class Fields {
@@ -120,7 +121,7 @@ TEST_F(Display, ShowsTheFinalImageAndStatesBefore) {
   std::thread viewer([&] { bytes = server.receive(); });
   Render render(scene_, settings(150));
   {
-    DisplayClient client(render, address_of(server), "a picture.exr");
+    Client client(render, address_of(server), "a picture.exr");
     render.run();
     client.finish(std::chrono::seconds(30));
     EXPECT_EQ(client.take_problem(), std::nullopt);
@@ -143,13 +144,13 @@ TEST_F(Display, ShowsTheFinalImageAndStatesBefore) {
 }
 
 TEST_F(Display, DoesWithoutAViewer) {
-  DisplayAddress nobody;
+  Address nobody;
   {
     const test::Listener gone;
     nobody = address_of(gone);
   }
   Render render(scene_, settings(2));
-  DisplayClient client(render, nobody, "image");
+  Client client(render, nobody, "image");
   render.run();
   client.finish();
   const auto problem = client.take_problem();
@@ -173,7 +174,7 @@ TEST_F(Display, WaitsForAViewerThatIsStarted) {
   };
   Render render(scene_, settings(1));
   {
-    DisplayClient client(render, {"127.0.0.1", std::to_string(port)}, "image", start_at_third_call);
+    Client client(render, {"127.0.0.1", std::to_string(port)}, "image", start_at_third_call);
     render.run();
     while (client.is_connecting()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     client.finish(std::chrono::seconds(30));
@@ -193,7 +194,7 @@ TEST_F(Display, SaysOnceWhyNoViewerCanBeStarted) {
     int calls = 0;
     const auto fail = [&] { return ++calls > good_calls ? std::optional<std::string>("why") : std::nullopt; };
     Render render(scene_, settings(2));
-    DisplayClient client(render, {"127.0.0.1", port}, "image", fail);
+    Client client(render, {"127.0.0.1", port}, "image", fail);
     render.run();
     while (client.is_connecting()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     EXPECT_EQ(calls, good_calls + 1);
@@ -206,8 +207,8 @@ TEST_F(Display, SaysOnceWhyNoViewerCanBeStarted) {
 TEST_F(Display, LeavesAViewerThatDoesNotComeInTime) {
   Render render(scene_, settings(2));
   const auto start = std::chrono::steady_clock::now();
-  DisplayClient client(render, {"127.0.0.1", std::to_string(test::free_port())}, "image",
-                       [] { return std::optional<std::string>(); });
+  Client client(render, {"127.0.0.1", std::to_string(test::free_port())}, "image",
+                [] { return std::optional<std::string>(); });
   render.run();
   client.finish(std::chrono::milliseconds(100));
   EXPECT_FALSE(client.is_connecting());
@@ -218,7 +219,7 @@ TEST_F(Display, GoesOnWhenTheViewerIsGone) {
   const test::Listener server;
   std::thread viewer([&] { ::close(server.accept()); });
   Render render(scene_, settings(300));
-  DisplayClient client(render, address_of(server), "image");
+  Client client(render, address_of(server), "image");
   render.run();
   viewer.join();
   client.finish();
@@ -235,7 +236,7 @@ TEST_F(Display, WaitsForNoViewerThatDoesNotRead) {
   large.width = large.height = 1500;
   Render render(scene_, large);
   const auto start = std::chrono::steady_clock::now();
-  DisplayClient client(render, address_of(server), "image");
+  Client client(render, address_of(server), "image");
   render.run();
   client.finish(std::chrono::milliseconds(100));
   EXPECT_EQ(render.end(), transport::RenderEnd::Samples);
@@ -244,7 +245,7 @@ TEST_F(Display, WaitsForNoViewerThatDoesNotRead) {
 
 TEST(DisplayAddress, IsReadFromText) {
   const auto text_of = [](std::string_view text) {
-    const auto address = transport::display_address_of(text);
+    const auto address = display::address_of(text);
     return address ? address->host + " " + address->port : "";
   };
   EXPECT_EQ(text_of("example:80"), "example 80");
@@ -259,11 +260,11 @@ TEST(DisplayAddress, IsReadFromText) {
 
 TEST(DisplayAddress, HasAPortForEachUser) {
   ::unsetenv("GRANADA_DISPLAY_PORT");
-  EXPECT_EQ(transport::default_display_address().text(), "127.0.0.1:14158");
+  EXPECT_EQ(display::default_address().text(), "127.0.0.1:14158");
   ::setenv("GRANADA_DISPLAY_PORT", "12345", 1);
-  EXPECT_EQ(transport::default_display_address().text(), "127.0.0.1:12345");
+  EXPECT_EQ(display::default_address().text(), "127.0.0.1:12345");
   ::setenv("GRANADA_DISPLAY_PORT", "none", 1);
-  EXPECT_EQ(transport::default_display_address().text(), "127.0.0.1:14158");
+  EXPECT_EQ(display::default_address().text(), "127.0.0.1:14158");
   ::unsetenv("GRANADA_DISPLAY_PORT");
 }
 

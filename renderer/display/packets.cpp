@@ -1,19 +1,20 @@
-#include "renderer/transport/display_packets.h"
+#include "renderer/display/packets.h"
 
 #include <array>
 #include <bit>
 #include <cstring>
+#include <utility>
 
-namespace transport {
+namespace display {
 namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
 constexpr std::array<std::string_view, 3> Channels = {"R", "G", "B"};
 
-class Packet {
+class PacketBytes {
  public:
-  explicit Packet(PacketType type) {
+  explicit PacketBytes(PacketType type) {
     add(std::uint32_t(0));
     add(type);
   }
@@ -47,13 +48,13 @@ constexpr std::uint8_t LeavesFocus = 0;
 }  // namespace
 
 std::string close_image_packet(std::string_view name) {
-  Packet packet(PacketType::CloseImage);
+  PacketBytes packet(PacketType::CloseImage);
   packet.add_text(name);
   return packet.take();
 }
 
 std::string create_image_packet(std::string_view name, int width, int height) {
-  Packet packet(PacketType::CreateImage);
+  PacketBytes packet(PacketType::CreateImage);
   packet.add(GrabsFocus);
   packet.add_text(name);
   packet.add(std::int32_t(width));
@@ -62,19 +63,19 @@ std::string create_image_packet(std::string_view name, int width, int height) {
   return packet.take();
 }
 
-std::string update_image_packet(std::string_view name, const TileBounds& bounds,
-                                const std::vector<Rgb>& pixels) {
-  Packet packet(PacketType::UpdateImageWithStrides);
+std::string update_image_packet(std::string_view name, const transport::TileBounds& bounds,
+                                const std::vector<grf::Colour>& pixels) {
+  PacketBytes packet(PacketType::UpdateImageWithStrides);
   packet.add(LeavesFocus);
   packet.add_text(name);
   packet.add_channels();
   for (const int side : {bounds.x, bounds.y, bounds.width, bounds.height}) packet.add(std::int32_t(side));
   // The offset and stride of each channel, in floats: as they are in memory here.
-  static_assert(sizeof(Rgb) == Channels.size() * sizeof(float));
+  static_assert(sizeof(grf::Colour) == Channels.size() * sizeof(float));
   for (std::size_t i = 0; i < Channels.size(); ++i) packet.add(static_cast<std::int64_t>(i));
   for (std::size_t i = 0; i < Channels.size(); ++i) packet.add(static_cast<std::int64_t>(Channels.size()));
-  packet.add_bytes(pixels.data(), pixels.size() * sizeof(Rgb));
+  packet.add_bytes(pixels.data(), pixels.size() * sizeof(grf::Colour));
   return packet.take();
 }
 
-}  // namespace transport
+}  // namespace display

@@ -1,11 +1,12 @@
-#include "renderer/transport/display_reader.h"
+#include "renderer/display/reader.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 
-#include "renderer/transport/display_packets.h"
+#include "renderer/display/packets.h"
 
-namespace transport {
+namespace display {
 namespace {
 
 constexpr std::int64_t MostPixels = std::int64_t(1) << 27;
@@ -58,7 +59,7 @@ struct Channel {
   std::int64_t stride = 1;
 };
 
-std::optional<DisplayPacket> read_create(Fields fields) {
+std::optional<Packet> read_create(Fields fields) {
   fields.number<std::uint8_t>();  // whether the image grabs the focus
   CreateImagePacket packet;
   packet.name = fields.text();
@@ -99,7 +100,7 @@ void copy(const Channel& channel, std::string_view data, int component, UpdateIm
   packet.has_channel[static_cast<std::size_t>(component)] = true;
 }
 
-std::optional<DisplayPacket> read_update(Fields fields, PacketType type) {
+std::optional<Packet> read_update(Fields fields, PacketType type) {
   fields.number<std::uint8_t>();
   UpdateImagePacket packet;
   packet.name = fields.text();
@@ -107,7 +108,7 @@ std::optional<DisplayPacket> read_update(Fields fields, PacketType type) {
   for (int* side : {&packet.bounds.x, &packet.bounds.y, &packet.bounds.width, &packet.bounds.height}) {
     *side = fields.number<std::int32_t>();
   }
-  const TileBounds& bounds = packet.bounds;
+  const transport::TileBounds& bounds = packet.bounds;
   if (!fields.is_good() || channels.empty() || bounds.x < 0 || bounds.y < 0 ||
       !is_size(bounds.width, bounds.height)) {
     return std::nullopt;
@@ -122,7 +123,7 @@ std::optional<DisplayPacket> read_update(Fields fields, PacketType type) {
   const std::string_view data = fields.rest();
   const auto is_whole = [&](const Channel& channel) { return fits(channel, pixels, data.size()); };
   if (!fields.is_good() || !std::all_of(channels.begin(), channels.end(), is_whole)) return std::nullopt;
-  packet.pixels.resize(static_cast<std::size_t>(pixels), Rgb(0));
+  packet.pixels.resize(static_cast<std::size_t>(pixels), grf::Colour(0));
   packet.has_channel = {};
   for (const Channel& channel : channels) {
     if (const int component = component_of(channel); component >= 0) copy(channel, data, component, packet);
@@ -135,9 +136,9 @@ std::optional<DisplayPacket> read_update(Fields fields, PacketType type) {
 
 }  // namespace
 
-std::size_t display_packet_size(std::string_view bytes) { return Fields(bytes).number<std::uint32_t>(); }
+std::size_t packet_size(std::string_view bytes) { return Fields(bytes).number<std::uint32_t>(); }
 
-std::optional<DisplayPacket> read_display_packet(std::string_view bytes) {
+std::optional<Packet> read_packet(std::string_view bytes) {
   Fields fields(bytes);
   if (fields.number<std::uint32_t>() != bytes.size()) return std::nullopt;
   const auto type = static_cast<PacketType>(fields.number<std::uint8_t>());
@@ -145,7 +146,7 @@ std::optional<DisplayPacket> read_display_packet(std::string_view bytes) {
   switch (type) {
     case PacketType::CloseImage: {
       CloseImagePacket packet{fields.text()};
-      return fields.is_good() ? std::optional<DisplayPacket>(std::move(packet)) : std::nullopt;
+      return fields.is_good() ? std::optional<Packet>(std::move(packet)) : std::nullopt;
     }
     case PacketType::CreateImage:
       return read_create(fields);
@@ -157,4 +158,4 @@ std::optional<DisplayPacket> read_display_packet(std::string_view bytes) {
   return OtherPacket{};
 }
 
-}  // namespace transport
+}  // namespace display

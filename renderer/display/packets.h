@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "renderer/transport/film.h"
+#include "grf/math.h"
+#include "renderer/transport/tile_bounds.h"
 
-namespace transport {
+namespace display {
 
 /// The operation that a packet requests from the viewer.
 enum class PacketType : std::uint8_t {
@@ -27,7 +29,7 @@ std::string close_image_packet(std::string_view name);
 std::string create_image_packet(std::string_view name, int width, int height);
 
 /// Replaces a rectangle of the image.
-std::string update_image_packet(std::string_view name, const TileBounds& bounds,
-                                const std::vector<Rgb>& pixels);
+std::string update_image_packet(std::string_view name, const transport::TileBounds& bounds,
+                                const std::vector<grf::Colour>& pixels);
 
-}  // namespace transport
+}  // namespace display

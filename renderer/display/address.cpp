@@ -1,12 +1,12 @@
-#include "renderer/transport/display_address.h"
+#include "renderer/display/address.h"
 
 #include <algorithm>
 #include <cstdlib>
 
-namespace transport {
+namespace display {
 
-std::optional<DisplayAddress> display_address_of(std::string_view text) {
-  DisplayAddress address;
+std::optional<Address> address_of(std::string_view text) {
+  Address address;
   std::string_view host = text;
   std::string_view port;
   if (text.starts_with('[')) {
@@ -28,10 +28,10 @@ std::optional<DisplayAddress> display_address_of(std::string_view text) {
   return number >= 1 && number <= 65535 ? std::optional(address) : std::nullopt;
 }
 
-DisplayAddress default_display_address() {
+Address default_address() {
   const char* port = std::getenv("GRANADA_DISPLAY_PORT");
   if (port == nullptr) return {};
-  return display_address_of(std::string(":") + port).value_or(DisplayAddress());
+  return address_of(std::string(":") + port).value_or(Address());
 }
 
-}  // namespace transport
+}  // namespace display

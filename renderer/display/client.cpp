@@ -1,4 +1,4 @@
-#include "renderer/transport/display_client.h"
+#include "renderer/display/client.h"
 
 #include <cerrno>
 #include <memory>
@@ -11,9 +11,10 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "renderer/transport/display_packets.h"
+#include "renderer/display/packets.h"
+#include "renderer/image/image.h"
 
-namespace transport {
+namespace display {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -44,8 +45,8 @@ struct FreeAddresses {
 
 }  // namespace
 
-DisplayClient::DisplayClient(const Render& render, DisplayAddress address, std::string image_name,
-                             ViewerLauncher viewer_launcher)
+Client::Client(const transport::Render& render, Address address, std::string image_name,
+               ViewerLauncher viewer_launcher)
     : render_(render),
       address_(std::move(address)),
       name_(std::move(image_name)),
@@ -53,31 +54,31 @@ DisplayClient::DisplayClient(const Render& render, DisplayAddress address, std::
       sent_(static_cast<std::size_t>(render.film().tile_count())),
       thread_([this] { run(); }) {}
 
-DisplayClient::~DisplayClient() {
+Client::~Client() {
   finish(milliseconds(0));
   if (socket_ >= 0) ::close(socket_);
 }
 
-void DisplayClient::finish(milliseconds time) {
+void Client::finish(milliseconds time) {
   if (!thread_.joinable()) return;
   deadline_ = (Clock::now() + time).time_since_epoch();
   finishes_ = true;
   thread_.join();
 }
 
-std::optional<std::string> DisplayClient::take_problem() {
+std::optional<std::string> Client::take_problem() {
   const std::lock_guard lock(problem_lock_);
   return std::exchange(problem_, std::nullopt);
 }
 
-bool DisplayClient::is_out_of_time() const { return Clock::now().time_since_epoch() >= deadline_.load(); }
+bool Client::is_out_of_time() const { return Clock::now().time_since_epoch() >= deadline_.load(); }
 
-void DisplayClient::fail(const std::string& why) {
+void Client::fail(const std::string& why) {
   const std::lock_guard lock(problem_lock_);
   problem_ = why;
 }
 
-void DisplayClient::run() {
+void Client::run() {
   const bool is_connected = connect_to_any();
   is_connecting_ = false;
   if (!is_connected) return;
@@ -94,7 +95,7 @@ void DisplayClient::run() {
 }
 
 /// Connects to the viewer; returns what prevents it, or nothing on success.
-std::optional<std::string> DisplayClient::connect() {
+std::optional<std::string> Client::connect() {
   addrinfo hints = {};
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
@@ -122,7 +123,7 @@ std::optional<std::string> DisplayClient::connect() {
 }
 
 /// Connects to a listening viewer, or else starts one.
-bool DisplayClient::connect_to_any() {
+bool Client::connect_to_any() {
   const std::optional<std::string> why = connect();
   if (!why) return true;
   if (!viewer_launcher_) {
@@ -146,7 +147,7 @@ bool DisplayClient::connect_to_any() {
   return false;
 }
 
-bool DisplayClient::send(std::string_view bytes) {
+bool Client::send(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (count >= 0) {
@@ -163,7 +164,7 @@ bool DisplayClient::send(std::string_view bytes) {
   return true;
 }
 
-bool DisplayClient::send_changes() {
+bool Client::send_changes() {
   for (int row = 0; row < render_.film().tiles_down(); ++row) {
     if (is_out_of_time() || !send_row(row)) return false;
   }
@@ -171,9 +172,9 @@ bool DisplayClient::send_changes() {
 }
 
 /// Sends each run of adjacent changed tiles as one rectangle.
-bool DisplayClient::send_row(int row) {
+bool Client::send_row(int row) {
   const int across = render_.film().tiles_across();
-  FilmTile tile;
+  transport::FilmTile tile;
   for (int first = row * across; first < (row + 1) * across; ++first) {
     const auto has_changed = [&](int i) {
       return render_.sample_count_of(i) != sent_[static_cast<std::size_t>(i)];
@@ -181,15 +182,16 @@ bool DisplayClient::send_row(int row) {
     int last = first;
     while (last < (row + 1) * across && last - first < LongestRun && has_changed(last)) ++last;
     if (last == first) continue;
-    const TileBounds start = render_.film().bounds_of(first);
-    const TileBounds end = render_.film().bounds_of(last - 1);
-    const TileBounds bounds = {start.x, start.y, end.x + end.width - start.x, start.height};
-    image::Image part{bounds.width, bounds.height, std::vector<Rgb>(bounds.pixel_count())};
+    const transport::TileBounds start = render_.film().bounds_of(first);
+    const transport::TileBounds end = render_.film().bounds_of(last - 1);
+    const transport::TileBounds bounds = {start.x, start.y, end.x + end.width - start.x, start.height};
+    image::Image part{bounds.width, bounds.height, std::vector<grf::Colour>(bounds.pixel_count())};
     for (int i = first; i < last; ++i) {
       render_.copy_tile(i, tile);
       sent_[static_cast<std::size_t>(i)] = tile.sample_count();
-      const TileBounds place = {tile.bounds.x - bounds.x, 0, tile.bounds.width, tile.bounds.height};
-      write_tile(
+      const transport::TileBounds place = {tile.bounds.x - bounds.x, 0, tile.bounds.width,
+                                           tile.bounds.height};
+      transport::write_tile(
           place, [&](std::size_t p) { return tile.mean(p); }, part);
     }
     if (!send(update_image_packet(name_, bounds, part.pixels))) return false;
@@ -198,4 +200,4 @@ bool DisplayClient::send_row(int row) {
   return true;
 }
 
-}  // namespace transport
+}  // namespace display
