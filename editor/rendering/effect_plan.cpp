@@ -16,8 +16,8 @@
 namespace editor {
 namespace {
 
+using plan::SurfacePlace;
 using transport::Effect;
-using transport::SurfacePlace;
 using Words = std::vector<std::string>;
 /// The numbers of the objects that a mesh of the scene is: a file that is included twice has its meshes
 /// twice.
@@ -70,7 +70,7 @@ EffectPlan effect_plan(const FinalRenderRequest& request, const SceneObjects& ob
   const ObjectsOfMesh of_mesh = objects_of_mesh(*planned->scene, objects);
   const transport::EffectSet on = request.options.effects();
   EffectPlan result;
-  for (const transport::PlannedEffect& effect : planned->plan.effects) {
+  for (const plan::PlannedEffect& effect : planned->plan.effects) {
     EffectRow row{effect.effect,          effect.is_needed,
                   on.has(effect.effect),  QString::fromStdString(effect.why),
                   FaceSelection(objects), {}};

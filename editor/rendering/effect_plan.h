@@ -11,14 +11,14 @@
 #include "editor/rendering/final_render.h"
 #include "grf/diagnostics.h"
 #include "grf/scene_path.h"
-#include "renderer/transport/plan/plan.h"
+#include "renderer/plan/plan.h"
 
 namespace editor {
 
 /// A scene with absolute file names, and the plan of its render, which points into the scene.
 struct PlannedScene {
   std::unique_ptr<const grf::Scene> scene;
-  transport::Plan plan;
+  plan::Plan plan;
 };
 
 /// Plans a render as `bpt plan` does, without files of measured data or textures; nothing after an error.

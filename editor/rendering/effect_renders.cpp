@@ -20,11 +20,11 @@ std::vector<EffectRender> effect_renders(const FinalRenderRequest& request, grf:
   const auto planned = planned_scene(request, diagnostics);
   if (!planned) return {};
   std::vector<std::string> sources;
-  for (const transport::PlannedEffect& effect : planned->plan.effects) {
+  for (const plan::PlannedEffect& effect : planned->plan.effects) {
     if (effect.is_needed && is_source(effect.effect)) sources.emplace_back(name_of(effect.effect));
   }
   std::vector<EffectRender> renders;
-  for (const transport::PlannedEffect& effect : planned->plan.effects) {
+  for (const plan::PlannedEffect& effect : planned->plan.effects) {
     if (!effect.is_needed || effect.effect == Effect::Instances) continue;
     const std::string name(name_of(effect.effect));
     std::vector<std::string> only = is_source(effect.effect) ? std::vector<std::string>() : sources;

@@ -16,7 +16,7 @@
 #include "renderer/command/render_run.h"
 #include "renderer/image/image_file.h"
 #include "renderer/job/render_job.h"
-#include "renderer/transport/plan/table_bytes.h"
+#include "renderer/plan/table_bytes.h"
 
 namespace command {
 namespace {
@@ -24,12 +24,12 @@ namespace {
 using grf::Diagnostics;
 using grf::ExitCode;
 using Json = nlohmann::ordered_json;
-using transport::Plan;
+using plan::Plan;
 
 /// Names surfaces by their mesh and their place in its list, and lights by their number in the file, from 0.
-Json places_of(const transport::PlannedEffect& effect) {
+Json places_of(const plan::PlannedEffect& effect) {
   Json places = Json::array();
-  for (const transport::SurfacePlace& place : effect.places) {
+  for (const plan::SurfacePlace& place : effect.places) {
     if (place.mesh == nullptr) {
       places.push_back({{"light", place.index}});
       continue;
@@ -41,7 +41,7 @@ Json places_of(const transport::PlannedEffect& effect) {
 
 Json effects_of(const Plan& plan) {
   Json effects = Json::array();
-  for (const transport::PlannedEffect& effect : plan.effects) {
+  for (const plan::PlannedEffect& effect : plan.effects) {
     effects.push_back({{"name", name_of(effect.effect)},
                        {"needed", effect.is_needed},
                        {"why", effect.why},
@@ -51,9 +51,9 @@ Json effects_of(const Plan& plan) {
 }
 
 Json tables_of(const grf::Scene& scene, const job::RenderPlan& planned, Diagnostics& diagnostics) {
-  const auto bytes = transport::table_bytes(scene, planned.compile_settings, diagnostics);
+  const auto bytes = plan::table_bytes(scene, planned.compile_settings, diagnostics);
   Json tables = Json::array();
-  for (const transport::PlannedTable& table : planned.plan.tables) {
+  for (const plan::PlannedTable& table : planned.plan.tables) {
     const auto known = bytes.find({table.identity, table.scheme});
     tables.push_back({{"brdf", table.brdf},
                       {"pdf", table.scheme},
@@ -66,7 +66,7 @@ Json tables_of(const grf::Scene& scene, const job::RenderPlan& planned, Diagnost
 
 Json textures_of(const Plan& plan) {
   Json textures = Json::array();
-  for (const transport::PlannedTexture& texture : plan.textures) {
+  for (const plan::PlannedTexture& texture : plan.textures) {
     std::error_code missing;
     const std::uintmax_t bytes = std::filesystem::file_size(texture.file, missing);
     textures.push_back({{"file", texture.file},

@@ -19,9 +19,9 @@ nlohmann::json entry(const std::string& name, const std::string& why) {
 }
 
 /// Sums the sizes of the textures that are left out; missing files count as 0.
-std::uintmax_t left_out_texture_bytes(const transport::Plan& plan) {
+std::uintmax_t left_out_texture_bytes(const plan::Plan& plan) {
   std::uintmax_t sum = 0;
-  for (const transport::PlannedTexture& texture : plan.textures) {
+  for (const plan::PlannedTexture& texture : plan.textures) {
     std::error_code missing;
     const std::uintmax_t bytes = texture.is_needed ? 0 : std::filesystem::file_size(texture.file, missing);
     sum += missing ? 0 : bytes;
@@ -31,19 +31,19 @@ std::uintmax_t left_out_texture_bytes(const transport::Plan& plan) {
 
 }  // namespace
 
-void add_plan(const transport::Plan& plan, nlohmann::json& summary) {
+void add_plan(const plan::Plan& plan, nlohmann::json& summary) {
   nlohmann::json effects = nlohmann::json::array();
   nlohmann::json left_out = nlohmann::json::array();
-  for (const transport::PlannedEffect& effect : plan.effects) {
+  for (const plan::PlannedEffect& effect : plan.effects) {
     const std::string name(name_of(effect.effect));
     if (effect.is_needed) effects.push_back(name);
     if (!effect.is_needed) left_out.push_back(entry(name, effect.why));
   }
-  for (const transport::PlannedTable& table : plan.tables) {
+  for (const plan::PlannedTable& table : plan.tables) {
     if (!table.is_needed)
       left_out.push_back(entry("table of " + table.brdf + " for " + table.scheme, table.why));
   }
-  for (const transport::PlannedTexture& texture : plan.textures) {
+  for (const plan::PlannedTexture& texture : plan.textures) {
     if (!texture.is_needed) left_out.push_back(entry("texture " + grf::file_name(texture.file), texture.why));
   }
   if (plan.depth < plan.asked_depth) {
@@ -52,7 +52,7 @@ void add_plan(const transport::Plan& plan, nlohmann::json& summary) {
   }
   summary["effects"] = std::move(effects);
   summary["left_out"] = std::move(left_out);
-  const auto is_left_out = [](const transport::PlannedTable& table) { return !table.is_needed; };
+  const auto is_left_out = [](const plan::PlannedTable& table) { return !table.is_needed; };
   summary["saved"] = {{"tables", std::count_if(plan.tables.begin(), plan.tables.end(), is_left_out)},
                       {"texture_file_bytes", left_out_texture_bytes(plan)},
                       {"scatterings", plan.asked_depth - plan.depth}};

@@ -5,13 +5,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/transport/plan/plan.h"
+#include "renderer/plan/plan.h"
 
 namespace command {
 
 /// Adds to a JSON summary: `effects`, the names of the effects in use; `left_out`, with name and why; and
 /// `saved`, the cost of those. The size of tables is unknown until they are built, as `bpt plan` does.
-void add_plan(const transport::Plan& plan, nlohmann::json& summary);
+void add_plan(const plan::Plan& plan, nlohmann::json& summary);
 
 /// Formats `left_out` and `saved` of a summary as one line of text.
 std::string left_out_line(const nlohmann::json& summary);

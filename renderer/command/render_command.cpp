@@ -58,7 +58,7 @@ nlohmann::json whole_if_exact(double number) {
 nlohmann::json summary_of(const transport::Render& render,
                           const std::optional<transport::ErrorEstimate>& estimate,
                           const RenderOptions& render_options, const std::string& output,
-                          double setup_seconds, const transport::Plan& plan) {
+                          double setup_seconds, const plan::Plan& plan) {
   const double seconds = render.seconds();
   nlohmann::json summary;
   summary["output"] = output;

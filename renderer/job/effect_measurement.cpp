@@ -173,12 +173,12 @@ class EffectMeasurement::Pairs {
   Image sum_with_, sum_without_;
 };
 
-EffectMeasurement::EffectMeasurement(const RenderOptions& render_options, const transport::Plan& plan,
+EffectMeasurement::EffectMeasurement(const RenderOptions& render_options, const plan::Plan& plan,
                                      const MeasurementSettings& settings, Listener listener)
     : options_(reduced(render_options, settings.largest_size)),
       settings_(settings),
       listener_(std::move(listener)) {
-  for (const transport::PlannedEffect& planned : plan.effects) {
+  for (const plan::PlannedEffect& planned : plan.effects) {
     if (planned.is_needed && planned.effect != Effect::Instances) effects_.push_back(planned.effect);
   }
 }

@@ -11,7 +11,7 @@
 #include "grf/diagnostics.h"
 #include "renderer/image/image.h"
 #include "renderer/options/render_options.h"
-#include "renderer/transport/plan/plan.h"
+#include "renderer/plan/plan.h"
 
 namespace job {
 
@@ -55,7 +55,7 @@ class EffectMeasurement {
   using Listener = std::function<void(const MeasuredEffect& measured)>;
 
   /// The listener is called in the thread of `run`.
-  EffectMeasurement(const options::RenderOptions& render_options, const transport::Plan& plan,
+  EffectMeasurement(const options::RenderOptions& render_options, const plan::Plan& plan,
                     const MeasurementSettings& settings, Listener listener);
 
   void run();

@@ -4,7 +4,7 @@
 
 #include "grf/relocate.h"
 #include "renderer/job/render_job.h"
-#include "renderer/transport/plan/plan.h"
+#include "renderer/plan/plan.h"
 
 namespace job {
 namespace {
@@ -48,7 +48,7 @@ std::optional<RenderSettings> PreviewScene::prepare(const PreviewRequest& reques
   const bool is_not_empty = has_geometry(*compiled_, request.options, diagnostics);
   if (!has_environment || !is_not_empty || !has_view_direction(settings.view, diagnostics))
     return std::nullopt;
-  transport::keep_only(compile_settings->effects, settings);
+  plan::keep_only(compile_settings->effects, settings);
   return settings;
 }
 

@@ -151,9 +151,9 @@ bool has_backplate(const RenderOptions& render_options) {
   return !render_options.environment.empty() && render_options.projection == "backplate";
 }
 
-transport::PlanSettings plan_settings_of(const RenderOptions& render_options,
-                                         const transport::RenderSettings& settings) {
-  transport::PlanSettings plan;
+plan::PlanSettings plan_settings_of(const RenderOptions& render_options,
+                                    const transport::RenderSettings& settings) {
+  plan::PlanSettings plan;
   plan.limits = {settings.view, settings.width, settings.height, settings.integrator.depth,
                  render_options.effects()};
   plan.draws_normals = settings.integrator.integrator == Integrator::Normals;
@@ -174,14 +174,14 @@ transport::PlanSettings plan_settings_of(const RenderOptions& render_options,
 std::optional<RenderPlan> render_plan(const grf::Scene& scene, transport::CompileSettings compile_settings,
                                       const RenderOptions& render_options, Diagnostics& diagnostics) {
   compile_settings.effects = render_options.effects();
-  const transport::CoarseScene coarse_scene(scene, transport::most_copied_triangles(compile_settings));
+  const plan::CoarseScene coarse_scene(scene, transport::most_copied_triangles(compile_settings));
   transport::RenderSettings settings = settings_of(render_options, coarse_scene.bounds);
   if (!check_cameras(render_options, diagnostics) || !has_view_direction(settings.view, diagnostics))
     return std::nullopt;
-  transport::PlanSettings plan_settings = plan_settings_of(render_options, settings);
+  plan::PlanSettings plan_settings = plan_settings_of(render_options, settings);
   if (compile_settings.scheme && compile_settings.scheme->brdf.empty())
     plan_settings.scheme = to_text(compile_settings.scheme->model);
-  transport::Plan plan = transport::plan_of(coarse_scene, plan_settings);
+  plan::Plan plan = plan::plan_of(coarse_scene, plan_settings);
   follow(plan, settings);
   compile_settings.effects = plan.needed();
   compile_settings.reflecting = plan.reflecting;

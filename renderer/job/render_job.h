@@ -5,8 +5,8 @@
 
 #include "grf/diagnostics.h"
 #include "renderer/options/render_options.h"
+#include "renderer/plan/plan.h"
 #include "renderer/transport/bake.h"
-#include "renderer/transport/plan/plan.h"
 #include "renderer/transport/render.h"
 
 namespace job {
@@ -15,7 +15,7 @@ namespace job {
 struct RenderJob {
   transport::CompiledScene scene;
   transport::RenderSettings settings;
-  transport::Plan plan;
+  plan::Plan plan;
 };
 
 /// Reads, plans and compiles the scene that the options name; nothing after an error. Some faces may have
@@ -39,7 +39,7 @@ std::optional<transport::CompileSettings> compile_settings_of(const options::Ren
 struct RenderPlan {
   transport::CompileSettings compile_settings;
   transport::RenderSettings settings;
-  transport::Plan plan;
+  plan::Plan plan;
 };
 
 /// Plans which effects a render of a scene needs. The settings have no environment map or backplate yet.

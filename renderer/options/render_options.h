@@ -13,7 +13,7 @@
 #include "grf/keywords.h"
 #include "grf/math.h"
 #include "grf/source_location.h"
-#include "renderer/transport/plan/effect.h"
+#include "renderer/transport/effect.h"
 
 namespace options {
 

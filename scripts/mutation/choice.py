@@ -15,6 +15,7 @@ PLACES = {
     "renderer/": 1,
     "renderer/display/": 3,
     "renderer/image/": 3,
+    "renderer/plan/": 3,
     "renderer/reflectance/": 3,
     "renderer/transport/": 3,
     "converters/": 1,

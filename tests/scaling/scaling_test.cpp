@@ -16,9 +16,9 @@
 #include "grf/read.h"
 #include "grf/triangulation.h"
 #include "grf/write.h"
+#include "renderer/plan/coarse_scene.h"
+#include "renderer/plan/plan.h"
 #include "renderer/reflectance/scheme.h"
-#include "renderer/transport/plan/coarse_scene.h"
-#include "renderer/transport/plan/plan.h"
 #include "renderer/transport/scene/compiled_scene.h"
 #include "tests/grf/allocation_meter.h"
 #include "tests/scaling/editing.h"
@@ -62,7 +62,7 @@ std::vector<Station> all_stations() {
        }},
       {"plan", true,
        [](const convert::Format&, const std::string&, const grf::Scene& scene) {
-         transport::plan_of(transport::CoarseScene(scene, 10'000), {});
+         plan::plan_of(plan::CoarseScene(scene, 10'000), {});
        }},
       {"compile", true,
        [](const convert::Format&, const std::string&, const grf::Scene& scene) {

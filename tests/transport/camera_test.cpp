@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/transport/sobol.h"
-#include "tests/transport/plan_helpers.h"
+#include "tests/transport/scene_helpers.h"
 
 namespace {
 
@@ -105,7 +105,7 @@ void expect_blur(double depth) {
   constexpr float Radius = 0.25F;
   constexpr double Focus = 4;
   const double z = 4 - depth;
-  test::PlannedRender setup;
+  test::RenderSetup setup;
   setup.eye = Vec3f(0, 0, 4);
   setup.width = Width;
   setup.height = Width;
@@ -116,7 +116,7 @@ void expect_blur(double depth) {
   setup.lens_radius = Radius;
   const std::string wall =
       test::quad("light rgb (1,1,1)", fmt::format("(-9,-9,{0}) (0,-9,{0}) (0,9,{0}) (-9,9,{0})", z));
-  const image::Image image = test::PlannedScene(wall, setup).image();
+  const image::Image image = test::render(test::scene_of(wall), setup).mean();
   const double pixel = 3.0 / Width;  // in radii of the circle
   double most = 0;
   for (int x = 0; x < Width; ++x) {

@@ -11,8 +11,8 @@
 
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
+#include "renderer/transport/effect.h"
 #include "renderer/transport/lights/lights.h"
-#include "renderer/transport/plan/effect.h"
 #include "renderer/transport/scene/geometry.h"
 #include "renderer/transport/scene/ray_caster.h"
 #include "renderer/transport/scene/reflector_set.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "grf/mesh.h"
+#include "renderer/transport/effect.h"
 #include "renderer/transport/lights/emitter.h"
-#include "renderer/transport/plan/effect.h"
 #include "renderer/transport/scene/geometry.h"
 #include "renderer/transport/scene/surface_point.h"
 #include "renderer/transport/scene/used_vertices.h"

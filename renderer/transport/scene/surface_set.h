@@ -8,7 +8,7 @@
 #include "grf/diagnostics.h"
 #include "grf/mesh.h"
 #include "grf/visit.h"
-#include "renderer/transport/plan/effect.h"
+#include "renderer/transport/effect.h"
 #include "renderer/transport/scene/reflector_set.h"
 #include "renderer/transport/scene/surface_point.h"
 #include "renderer/transport/scene/texture_set.h"

@@ -1,4 +1,4 @@
-#include "renderer/transport/plan/plan.h"
+#include "renderer/plan/plan.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -12,10 +12,12 @@
 
 #include "grf/wording.h"
 
-namespace transport {
+namespace plan {
 namespace {
 
 using grf::counted;
+using transport::Effect;
+using transport::EffectSet;
 
 /// Indices into CoarseScene::surfaces.
 using SurfaceList = std::vector<std::size_t>;
@@ -316,7 +318,7 @@ void Planner::add_textures(Plan& plan) const {
 
 void Planner::add_reflecting(Plan& plan) const {
   if (settings_.keeps_all) return;
-  auto reflecting = std::make_shared<ReflectingSurfaces>();
+  auto reflecting = std::make_shared<transport::ReflectingSurfaces>();
   for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
     const CoarseSurface& surface = coarse_scene_.surfaces[i];
     if (surface.mesh == nullptr) continue;
@@ -332,7 +334,7 @@ Plan Planner::plan() const {
   plan.asked_depth = settings_.limits.depth;
   plan.depth = reachability_.depth;
   plan.why_depth = why_depth();
-  for (const EffectInfo& info : EffectInfos) {
+  for (const transport::EffectInfo& info : transport::EffectInfos) {
     Answer answer = of(info.effect);
     plan.effects.push_back(
         {info.effect, answer.is_needed, std::move(answer.why), places_of(answer.surfaces)});
@@ -357,13 +359,13 @@ Plan plan_of(const CoarseScene& coarse_scene, const PlanSettings& settings) {
   return Planner(coarse_scene, settings).plan();
 }
 
-void follow(const Plan& plan, RenderSettings& settings) {
+void follow(const Plan& plan, transport::RenderSettings& settings) {
   settings.integrator.depth = plan.depth;
   keep_only(plan.needed(), settings);
 }
 
-void keep_only(const EffectSet& effects, RenderSettings& settings) {
-  IntegratorSettings& integrator = settings.integrator;
+void keep_only(const EffectSet& effects, transport::RenderSettings& settings) {
+  transport::IntegratorSettings& integrator = settings.integrator;
   integrator.reflects_specular &= effects.has(Effect::MirrorReflection);
   integrator.uses_irradiance &= effects.has(Effect::Irradiance);
   if (!effects.has(Effect::Environment)) {
@@ -371,10 +373,10 @@ void keep_only(const EffectSet& effects, RenderSettings& settings) {
     integrator.resampling = std::nullopt;
   }
   if (!effects.has(Effect::Background)) {
-    integrator.background = Rgb(0);
+    integrator.background = transport::Rgb(0);
     settings.backplate = nullptr;
   }
   if (!effects.has(Effect::DepthOfField)) settings.view.lens_radius = 0;
 }
 
-}  // namespace transport
+}  // namespace plan

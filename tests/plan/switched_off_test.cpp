@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "renderer/reflectance/merl_table.h"
+#include "tests/plan/plan_helpers.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/transport/plan_helpers.h"
 
 namespace {
 
@@ -127,11 +127,11 @@ TEST(SwitchedOff, TheBackgroundIsBlack) {
   settings.integrator.background = Rgb(1);
   settings.backplate = std::make_shared<const image::Image>();
   transport::EffectSet effects = transport::EffectSet::all();
-  keep_only(effects, settings);
+  plan::keep_only(effects, settings);
   EXPECT_TRUE(settings.backplate);
   EXPECT_EQ(settings.integrator.background, Rgb(1));
   effects.remove(Effect::Background);
-  keep_only(effects, settings);
+  plan::keep_only(effects, settings);
   EXPECT_FALSE(settings.backplate);
   EXPECT_EQ(settings.integrator.background, Rgb(0));
 }

@@ -1,11 +1,11 @@
-#include "renderer/transport/plan/convex_solid.h"
+#include "renderer/plan/convex_solid.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-namespace transport {
+namespace plan {
 namespace {
 
 using grf::Vec3d;
@@ -55,4 +55,4 @@ bool enclose_convex_solid(std::span<const PlaneTriangle> triangles, double least
   return triangles.size() >= 4 && are_closed(triangles, least);
 }
 
-}  // namespace transport
+}  // namespace plan

@@ -1,4 +1,4 @@
-#include "renderer/transport/plan/reachability.h"
+#include "renderer/plan/reachability.h"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,14 @@
 #include <span>
 #include <utility>
 
-namespace transport {
+namespace plan {
 namespace {
 
 using grf::Vec3d;
+using grf::Vec3f;
+using transport::Camera;
+using transport::Effect;
+using transport::InvalidIndex;
 
 /// The sides of the parts: the front, then the back of each.
 using States = std::vector<bool>;
@@ -58,7 +62,7 @@ std::array<Vec3d, 5> sides_of_view(const Camera& camera, int width, int height) 
 }
 
 States VisibilityBounds::seen_by_eye() const {
-  const View view = relative_to(coarse_scene_.origin, limits_.view);
+  const transport::View view = relative_to(coarse_scene_.origin, limits_.view);
   const Vec3d eye = Vec3d(Vec3f(view.eye));
   // The directions of the image's corners have float precision.
   constexpr double Margin = 1e-5;
@@ -140,7 +144,7 @@ States VisibilityBounds::met_from(const States& sources) const {
 
 /// Seen by specular reflection, all that reflects counts as seen by the eye.
 bool VisibilityBounds::reflects_later(const CoarseSurface& surface) const {
-  const EffectSet& effects = limits_.effects;
+  const transport::EffectSet& effects = limits_.effects;
   if (surface.is_specular && effects.has(Effect::MirrorReflection)) return true;
   const bool has_mirrors = effects.has(Effect::MirrorReflection) &&
                            std::any_of(coarse_scene_.surfaces.begin(), coarse_scene_.surfaces.end(),
@@ -223,4 +227,4 @@ Reachability::Reachability(const CoarseScene& coarse_scene, const PathLimits& li
   }
 }
 
-}  // namespace transport
+}  // namespace plan

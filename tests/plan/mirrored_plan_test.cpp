@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/transport/plan_helpers.h"
+#include "tests/plan/plan_helpers.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/transport/plan/plan.h"
+#include "renderer/plan/plan.h"
 #include "tests/transport/scene_helpers.h"
 
 namespace test {
@@ -40,7 +40,7 @@ class PlannedScene {
     settings_.integrator.secondary_rays = 3;
     settings_.integrator.uses_irradiance = setup.uses_irradiance;
     if (setup.environment > 0) settings_.integrator.environment = map_of(setup.environment);
-    const transport::CoarseScene coarse_scene(*scene, transport::most_copied_triangles(compile_settings_));
+    const plan::CoarseScene coarse_scene(*scene, transport::most_copied_triangles(compile_settings_));
     bounds_ = coarse_scene.bounds;
     plan_ = plan_of(coarse_scene, plan_settings_of(setup));
     follow(plan_, settings_);
@@ -49,7 +49,7 @@ class PlannedScene {
     scene_ = std::move(*scene);
   }
 
-  const transport::Plan& plan() const { return plan_; }
+  const plan::Plan& plan() const { return plan_; }
   const grf::Box3d& bounds() const { return bounds_; }
   const grf::Scene& scene() const { return scene_; }
   const transport::CompileSettings& compile_settings() const { return compile_settings_; }
@@ -71,7 +71,7 @@ class PlannedScene {
 
   std::vector<std::string> needed() const {
     std::vector<std::string> names;
-    for (const transport::PlannedEffect& effect : plan_.effects) {
+    for (const plan::PlannedEffect& effect : plan_.effects) {
       if (effect.is_needed) names.emplace_back(name_of(effect.effect));
     }
     return names;
@@ -86,8 +86,8 @@ class PlannedScene {
     return environment_of(std::move(image));
   }
 
-  transport::PlanSettings plan_settings_of(const PlannedRender& setup) const {
-    transport::PlanSettings settings;
+  plan::PlanSettings plan_settings_of(const PlannedRender& setup) const {
+    plan::PlanSettings settings;
     settings.limits = {settings_.view, setup.width, setup.height, setup.depth, setup.effects};
     settings.has_environment = setup.environment > 0;
     settings.has_background = setup.background > 0;
@@ -100,7 +100,7 @@ class PlannedScene {
   grf::Scene scene_;
   transport::RenderSettings settings_;
   transport::CompileSettings compile_settings_;
-  transport::Plan plan_;
+  plan::Plan plan_;
   grf::Box3d bounds_;
 };
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "renderer/transport/plan/reachability.h"
+#include "renderer/plan/reachability.h"
 #include "renderer/transport/render.h"
 
-namespace transport {
+namespace plan {
 
 /// The facts that a plan is based on, known before anything expensive is built.
 struct PlanSettings {
@@ -33,7 +33,7 @@ struct SurfacePlace {
 };
 
 struct PlannedEffect {
-  Effect effect;
+  transport::Effect effect;
   bool is_needed = false;
   std::string why;  ///< a sentence without its full stop
   /// The surfaces that call for it; none if the view, the options or the geometry do.
@@ -61,18 +61,20 @@ struct Plan {
   int asked_depth = 0;
   int depth = 0;  ///< the maximum number of bounces
   std::string why_depth;
-  std::shared_ptr<const ReflectingSurfaces> reflecting;  ///< null: all
+  std::shared_ptr<const transport::ReflectingSurfaces> reflecting;  ///< null: all
 
-  EffectSet needed() const;
-  const PlannedEffect& operator[](Effect effect) const { return effects[static_cast<std::size_t>(effect)]; }
+  transport::EffectSet needed() const;
+  const PlannedEffect& operator[](transport::Effect effect) const {
+    return effects[static_cast<std::size_t>(effect)];
+  }
 };
 
 Plan plan_of(const CoarseScene& coarse_scene, const PlanSettings& settings);
 
 /// Removes from the settings what the plan does not need.
-void follow(const Plan& plan, RenderSettings& settings);
+void follow(const Plan& plan, transport::RenderSettings& settings);
 
 /// Removes from the settings what serves only other effects.
-void keep_only(const EffectSet& effects, RenderSettings& settings);
+void keep_only(const transport::EffectSet& effects, transport::RenderSettings& settings);
 
-}  // namespace transport
+}  // namespace plan

@@ -1,4 +1,4 @@
-#include "renderer/transport/plan/coarse_scene.h"
+#include "renderer/plan/coarse_scene.h"
 
 #include <algorithm>
 #include <array>
@@ -11,12 +11,12 @@
 
 #include "grf/text_file.h"
 #include "grf/write.h"
+#include "renderer/plan/convex_solid.h"
 #include "renderer/reflectance/brdf_maker.h"
-#include "renderer/transport/plan/convex_solid.h"
 #include "renderer/transport/scene/mesh_builder.h"
 #include "renderer/transport/scene/scene_stats.h"
 
-namespace transport {
+namespace plan {
 namespace {
 
 using grf::Box3d;
@@ -24,6 +24,10 @@ using grf::Matrix44d;
 using grf::Mesh;
 using grf::Placement;
 using grf::Vec3d;
+using grf::Vec3f;
+using transport::InvalidIndex;
+using transport::SceneStats;
+using transport::UsedVertices;
 
 /// A mesh of more triangles is represented by a box per surface.
 constexpr std::size_t MostTrianglesOfMesh = 256;
@@ -209,7 +213,7 @@ void CoarseSceneBuilder::add(const Mesh& mesh, const Placement& placement, bool 
   coarse_scene_.triangles += mesh.geometry->triangle_count();
   const Matrix44d map = to_scene(placement);
   if (stats_.is_instanced(mesh)) {
-    const Box3d box = transformed(stats_.box_of(mesh), map);
+    const Box3d box = transport::transformed(stats_.box_of(mesh), map);
     bounds_.extendBy(box);
     ++coarse_scene_.instances;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -226,7 +230,7 @@ void CoarseSceneBuilder::add(const Mesh& mesh, const Placement& placement, bool 
   }
   if (!has_room()) return;
   if (mesh.geometry->triangle_count() > MostTrianglesOfMesh) return add_boxes(mesh, surfaces, positions);
-  add_triangles(mesh, surfaces, positions, mirrors(placement.to_world));
+  add_triangles(mesh, surfaces, positions, transport::mirrors(placement.to_world));
 }
 
 void CoarseSceneBuilder::add_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& surfaces,
@@ -318,7 +322,7 @@ void CoarseSceneBuilder::add(const grf::AreaLight& light, const Placement& place
   };
   Vec3f edge1 = edge(light.edge1);
   Vec3f edge2 = edge(light.edge2);
-  if (mirrors(map)) std::swap(edge1, edge2);
+  if (transport::mirrors(map)) std::swap(edge1, edge2);
   const std::array points = {Vec3d(corner), Vec3d(corner + edge1), Vec3d(corner + edge2),
                              Vec3d(corner + edge1 + edge2)};
   for (const Vec3d& point : points) bounds_.extendBy(point);
@@ -356,4 +360,4 @@ CoarseScene::CoarseScene(const grf::Scene& scene, std::size_t most_copied_triang
   builder.finish();
 }
 
-}  // namespace transport
+}  // namespace plan

@@ -4,7 +4,7 @@
 
 #include "grf/math.h"
 
-namespace transport {
+namespace plan {
 
 /// A triangle of the coarse scene, with its plane.
 struct PlaneTriangle {
@@ -18,4 +18,4 @@ struct PlaneTriangle {
 /// positions.
 bool enclose_convex_solid(std::span<const PlaneTriangle> triangles, double least);
 
-}  // namespace transport
+}  // namespace plan

@@ -1,5 +1,5 @@
 // Triangles that enclose a convex solid, and near misses.
-#include "renderer/transport/plan/convex_solid.h"
+#include "renderer/plan/convex_solid.h"
 
 #include <array>
 #include <deque>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace transport {
+namespace plan {
 namespace {
 
 using grf::Vec3d;
@@ -91,4 +91,4 @@ TEST(ConvexSolid, IsNoSolidWithADent) {
 }
 
 }  // namespace
-}  // namespace transport
+}  // namespace plan

@@ -4,19 +4,19 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/plan/coarse_scene.h"
 #include "renderer/transport/camera.h"
-#include "renderer/transport/plan/coarse_scene.h"
-#include "renderer/transport/plan/effect.h"
+#include "renderer/transport/effect.h"
 
-namespace transport {
+namespace plan {
 
 /// The limits of a render's paths.
 struct PathLimits {
-  View view;  ///< in world space
+  transport::View view;  ///< in world space
   int width = 0;
   int height = 0;
   int depth = 0;
-  EffectSet effects = EffectSet::all();  ///< those that are not switched off
+  transport::EffectSet effects = transport::EffectSet::all();  ///< those that are not switched off
 };
 
 /// The surfaces that paths can hit, a conservative estimate: occlusion is ignored, and a surface is excluded
@@ -42,4 +42,4 @@ struct Reachability {
   void assume_all(const CoarseScene& coarse_scene, int most_bounces);
 };
 
-}  // namespace transport
+}  // namespace plan

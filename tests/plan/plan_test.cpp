@@ -1,4 +1,4 @@
-#include "renderer/transport/plan/plan.h"
+#include "renderer/plan/plan.h"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "renderer/reflectance/merl_table.h"
+#include "tests/plan/plan_helpers.h"
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/transport/plan_helpers.h"
 
 namespace {
 
@@ -195,7 +195,7 @@ TEST(Plan, NeedsWhatCanMatter) {
     const PlannedScene scene(one.text, one.setup);
     EXPECT_EQ(scene.plan().depth, one.depth) << one.name << ": " << scene.plan().why_depth;
     EXPECT_EQ(scene.needed(), one.needed) << one.name;
-    for (const transport::PlannedEffect& effect : scene.plan().effects) {
+    for (const plan::PlannedEffect& effect : scene.plan().effects) {
       EXPECT_FALSE(effect.why.empty()) << one.name << " " << name_of(effect.effect);
     }
   }

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/plan/table_bytes.h"
 #include "renderer/reflectance/brdf_maker.h"
-#include "renderer/transport/plan/table_bytes.h"
+#include "tests/plan/plan_helpers.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/transport/plan_helpers.h"
 
 namespace {
 
@@ -108,11 +108,11 @@ TEST_F(ScopeTest, TablesArePlannedForEachMeaningOfAText) {
   const PlannedScene scene =
       planned(twice("def a = brdf diffuse", "def a = brdf ward sx=0.1 sy=0.3", "include \"part.grf\""));
   grf::Diagnostics diagnostics;
-  const auto bytes = transport::table_bytes(scene.scene(), scene.compile_settings(), diagnostics);
+  const auto bytes = plan::table_bytes(scene.scene(), scene.compile_settings(), diagnostics);
   ASSERT_EQ(diagnostics.error_count(), 0U) << diagnostics.to_text();
   ASSERT_EQ(scene.plan().tables.size(), 2U);
   EXPECT_EQ(bytes.size(), 2U);
-  for (const transport::PlannedTable& table : scene.plan().tables) {
+  for (const plan::PlannedTable& table : scene.plan().tables) {
     EXPECT_EQ(table.brdf, "combine 1 a");
     EXPECT_TRUE(bytes.contains({table.identity, table.scheme}));
   }

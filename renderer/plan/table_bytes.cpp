@@ -1,4 +1,4 @@
-#include "renderer/transport/plan/table_bytes.h"
+#include "renderer/plan/table_bytes.h"
 
 #include <set>
 
@@ -8,8 +8,10 @@
 #include "renderer/reflectance/brdf_maker.h"
 #include "renderer/transport/scene/reflector_set.h"
 
-namespace transport {
+namespace plan {
 namespace {
+
+using transport::CompileSettings;
 
 using IdentityAndScheme = std::pair<std::string, std::string>;
 using Bytes = std::map<IdentityAndScheme, std::size_t>;
@@ -24,11 +26,12 @@ IdentityAndScheme key_of(const grf::ResolvedSurface& surface, const CompileSetti
 /// Handles one pair at a time: an error in one must not affect the others.
 void add_bytes(const grf::ResolvedSurface& surface, const IdentityAndScheme& key,
                const CompileSettings& settings, Bytes& bytes, grf::Diagnostics& diagnostics) {
-  ReflectorSetBuilder builder(settings.scheme, settings.missed_part, settings.precision, diagnostics);
+  transport::ReflectorSetBuilder builder(settings.scheme, settings.missed_part, settings.precision,
+                                         diagnostics);
   builder.index_of(surface);
   if (diagnostics.error_count() > 0) return;
-  const ReflectorSet set = builder.build();
-  for (const TableInfo& table : set.tables) bytes[key] = table.bytes;
+  const transport::ReflectorSet set = builder.build();
+  for (const transport::TableInfo& table : set.tables) bytes[key] = table.bytes;
 }
 
 }  // namespace
@@ -45,7 +48,7 @@ Bytes table_bytes(const grf::Scene& scene, const CompileSettings& settings, grf:
   };
   grf::SceneVisitor visitor;
   visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
-    const std::vector<bool> used = used_surfaces(mesh);
+    const std::vector<bool> used = grf::used_surfaces(mesh);
     for (std::size_t i = 0; i < used.size(); ++i) {
       if (!used[i]) continue;
       const grf::ResolvedSurface surface = resolve(mesh.surfaces[i], placement.scope);
@@ -61,4 +64,4 @@ Bytes table_bytes(const grf::Scene& scene, const CompileSettings& settings, grf:
   return bytes;
 }
 
-}  // namespace transport
+}  // namespace plan

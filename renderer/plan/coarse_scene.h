@@ -10,7 +10,7 @@
 #include "grf/visit.h"
 #include "renderer/transport/scene/geometry.h"
 
-namespace transport {
+namespace plan {
 
 /// A surface, shared by faces of a mesh, as resolved where the mesh is placed.
 struct CoarseSurface {
@@ -39,11 +39,11 @@ struct CoarsePart {
   std::uint32_t surface = 0;  ///< index into CoarseScene::surfaces
   std::uint32_t first_point = 0;
   std::uint32_t points = 0;
-  bool is_smooth = false;              ///< its vertex normals differ from its own
-  grf::Vec3d normal = grf::Vec3d(0);   ///< unit, on the front; 0: a box, or degenerate
-  double height = 0;                   ///< distance of its plane from the origin, along the normal
-  std::uint32_t solid = InvalidIndex;  ///< index into CoarseScene::solids, of which it is a face
-  double extent = 0;                   ///< its largest absolute coordinate
+  bool is_smooth = false;                         ///< its vertex normals differ from its own
+  grf::Vec3d normal = grf::Vec3d(0);              ///< unit, on the front; 0: a box, or degenerate
+  double height = 0;                              ///< distance of its plane from the origin, along the normal
+  std::uint32_t solid = transport::InvalidIndex;  ///< index into CoarseScene::solids, of which it is a face
+  double extent = 0;                              ///< its largest absolute coordinate
 
   bool is_plane() const { return normal != grf::Vec3d(0); }
 };
@@ -74,4 +74,4 @@ struct CoarseScene {
   std::size_t instances = 0;          ///< of shared meshes
 };
 
-}  // namespace transport
+}  // namespace plan
