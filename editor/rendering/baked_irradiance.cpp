@@ -10,7 +10,7 @@
 #include "grf/relocate.h"
 #include "grf/text_file.h"
 #include "grf/visit.h"
-#include "renderer/transport/baked_scene.h"
+#include "renderer/bake/baked_scene.h"
 
 namespace editor {
 namespace {
@@ -108,7 +108,7 @@ IrradiatedScene BakedIrradiance::applied_to(grf::Scene scene, const std::string&
     return *place->second.irradiance;
   };
   IncludeKeeper includes(scene);
-  result.scene = transport::with_irradiance(std::move(scene), arriving).scene;
+  result.scene = bake::with_irradiance(std::move(scene), arriving).scene;
   includes.keep(result.scene.contents, path);
   result.expanded_includes = includes.expanded_includes();
   if (result.meshes > 0 && !observers_.empty() && grf::observers_of(result.scene).empty()) {

@@ -12,21 +12,21 @@
 #include "grf/visit.h"
 #include "grf/wording.h"
 #include "grf/write.h"
+#include "renderer/bake/baked_scene.h"
 #include "renderer/command/json_values.h"
 #include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_run.h"
 #include "renderer/job/render_job.h"
-#include "renderer/transport/baked_scene.h"
 
 namespace command {
 namespace {
 
+using bake::Bake;
 using grf::counted;
 using grf::Diagnostics;
 using grf::ExitCode;
 using options::RenderOptions;
-using transport::Bake;
 
 void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
 
@@ -52,7 +52,7 @@ RunSettings run_settings_of(const RenderOptions& render_options, int directions,
   return settings;
 }
 
-void warn(const Bake& bake, const transport::BakedScene& baked, const std::string& scene,
+void warn(const Bake& bake, const bake::BakedScene& baked, const std::string& scene,
           Diagnostics& diagnostics) {
   const grf::SourceLocation file = grf::whole_file(scene);
   if (baked.copies > 0) {
@@ -78,7 +78,7 @@ void warn(const Bake& bake, const transport::BakedScene& baked, const std::strin
 /// Writes the baked scene. An IGRF file names its observer, though irradiance does not depend on one.
 bool keep(const Bake& bake, job::BakeJob& job, const std::string& scene, const std::string& output) {
   Diagnostics diagnostics;
-  transport::BakedScene baked = transport::with_irradiance(std::move(job.scene), bake);
+  bake::BakedScene baked = bake::with_irradiance(std::move(job.scene), bake);
   if (grf::observers_of(baked.scene).empty()) {
     baked.scene.contents.blocks.push_back({grf::Params{{job.eye}}, {}, {}});
   }
@@ -110,7 +110,7 @@ void print_summary(const Bake& bake, const BakeArguments& arguments) {
 
 ExitCode bake(const BakeArguments& arguments) {
   std::optional<job::BakeJob> job;
-  std::optional<transport::BakePoints> points;
+  std::optional<bake::BakePoints> points;
   std::optional<Bake> bake;
   SignalHandler signal_handler;  // destroyed before the bake that it stops
   Diagnostics diagnostics;

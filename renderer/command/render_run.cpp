@@ -92,10 +92,10 @@ bool run(transport::Render& render, SignalHandler& signal_handler, const RunSett
   return true;
 }
 
-bool run(transport::Bake& bake, SignalHandler& signal_handler, const RunSettings& settings,
+bool run(bake::Bake& bake, SignalHandler& signal_handler, const RunSettings& settings,
          ProgressReport& progress, grf::Diagnostics& diagnostics) {
   if (!resume(bake, settings, diagnostics)) return false;
-  CheckpointKeeper<transport::Bake> checkpoint(bake, settings);
+  CheckpointKeeper<bake::Bake> checkpoint(bake, settings);
   const auto watch = [&] {
     progress.show(bake.progress());
     checkpoint.keep_if_due();

@@ -8,10 +8,10 @@
 #include <thread>
 
 #include "grf/diagnostics.h"
+#include "renderer/bake/checkpoint.h"
 #include "renderer/command/render_progress.h"
 #include "renderer/command/signal_handler.h"
 #include "renderer/display/client.h"
-#include "renderer/transport/bake_checkpoint.h"
 #include "renderer/transport/checkpoint.h"
 
 namespace command {
@@ -34,7 +34,7 @@ bool run(transport::Render& render, SignalHandler& signal_handler, const RunSett
          ProgressReport& progress, grf::Diagnostics& diagnostics);
 
 /// Runs a bake likewise; there is no image to show.
-bool run(transport::Bake& bake, SignalHandler& signal_handler, const RunSettings& settings,
+bool run(bake::Bake& bake, SignalHandler& signal_handler, const RunSettings& settings,
          ProgressReport& progress, grf::Diagnostics& diagnostics);
 
 /// Runs any work to its end or until a signal, and polls `watch` every 10 ms. Rethrows the work's exceptions.

@@ -9,11 +9,11 @@
 #include "grf/read.h"
 #include "grf/relocate.h"
 #include "grf/write.h"
+#include "renderer/bake/baked_scene.h"
 #include "renderer/image/image.h"
 #include "renderer/job/camera_path.h"
 #include "renderer/options/scheme_model.h"
 #include "renderer/reflectance/scheme.h"
-#include "renderer/transport/baked_scene.h"
 
 namespace job {
 namespace {
@@ -239,12 +239,12 @@ std::optional<BakeJob> bake_job(RenderOptions render_options, int directions, Di
   auto scene = read_scene(render_options, diagnostics);
   if (!scene || !compile_settings) return std::nullopt;
   *scene = grf::flatten(*scene, render_options.scene);
-  if (!transport::has_few_copies(*scene, diagnostics)) return std::nullopt;
-  auto compiled = transport::compile(*scene, diagnostics, transport::without_instances(*compile_settings));
+  if (!bake::has_few_copies(*scene, diagnostics)) return std::nullopt;
+  auto compiled = transport::compile(*scene, diagnostics, bake::without_instances(*compile_settings));
   if (!compiled) return std::nullopt;
   transport::RenderSettings render_settings = settings_of(render_options, compiled->bounds());
   if (!load_environment(render_options, render_settings, diagnostics)) return std::nullopt;
-  transport::BakeSettings settings;
+  bake::BakeSettings settings;
   settings.integrator = render_settings.integrator;
   settings.samples =
       has_sample_limit(render_options) ? render_settings.samples : transport::RenderSettings::Unlimited;

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "grf/diagnostics.h"
+#include "renderer/bake/bake.h"
 #include "renderer/options/render_options.h"
 #include "renderer/plan/plan.h"
-#include "renderer/transport/bake.h"
 #include "renderer/transport/render.h"
 
 namespace job {
@@ -67,7 +67,7 @@ bool has_geometry(const transport::CompiledScene& scene, const options::RenderOp
 struct BakeJob {
   grf::Scene scene;  ///< flattened
   transport::CompiledScene compiled;
-  transport::BakeSettings settings;
+  bake::BakeSettings settings;
   grf::Vec3f eye;  ///< in world coordinates
 };
 

@@ -13,6 +13,7 @@ ENDINGS = (".cpp", ".h", ".glsl")
 PLACES = {
     "grf/": 1,
     "renderer/": 1,
+    "renderer/bake/": 3,
     "renderer/display/": 3,
     "renderer/image/": 3,
     "renderer/plan/": 3,

@@ -1,4 +1,4 @@
-#include "renderer/transport/bake_points.h"
+#include "renderer/bake/bake_points.h"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +12,15 @@
 #include "renderer/parallel/loops.h"
 #include "renderer/transport/scene/used_vertices.h"
 
-namespace transport {
+namespace bake {
 namespace {
+
+using grf::Vec2f;
+using grf::Vec3f;
+using transport::CompiledScene;
+using transport::CompileSettings;
+using transport::SurfacePoint;
+using transport::UsedVertices;
 
 /// Returns the angle at the first of three corners; 0 for a degenerate triangle.
 float angle_at(const grf::Vec3d& corner, const grf::Vec3d& next, const grf::Vec3d& last) {
@@ -78,7 +85,7 @@ void BakePoints::list_vertices(const grf::Scene& scene) {
 }
 
 void BakePoints::list_corners() {
-  const TriangleMesh& mesh = compiled_.geometry().meshes.front();
+  const transport::TriangleMesh& mesh = compiled_.geometry().meshes.front();
   std::vector<std::array<float, 3>> angles(mesh.triangles.size());
   first_corner_.assign(mesh.positions.size() + 1, 0);
   for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -110,7 +117,7 @@ SurfacePoint BakePoints::point_at(const Corner& corner) const {
 bool BakePoints::is_covered(const Corner& corner) const {
   const SurfacePoint point = point_at(corner);
   const Vec3f& normal = point.geometric_normal;
-  const TriangleMesh& mesh = compiled_.geometry().meshes.front();
+  const transport::TriangleMesh& mesh = compiled_.geometry().meshes.front();
   const auto& corners = mesh.triangles[corner.triangle].corners;
   const Vec3f edge = mesh.positions[corners[1]] - mesh.positions[corners[0]];
   const float area = edge.cross(mesh.positions[corners[2]] - mesh.positions[corners[0]]).length();
@@ -176,4 +183,4 @@ Vec3f BakePoints::normal_of(std::span<const Point> points) {
   return sum.length2() > 0 ? sum.normalized() : points.front().point.shading_normal;
 }
 
-}  // namespace transport
+}  // namespace bake

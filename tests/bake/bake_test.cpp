@@ -1,5 +1,5 @@
 // Irradiance at vertices against known values.
-#include "renderer/transport/bake.h"
+#include "renderer/bake/bake.h"
 
 #include <array>
 #include <cmath>
@@ -9,21 +9,21 @@
 #include <gtest/gtest.h>
 
 #include "grf/write.h"
-#include "renderer/transport/bake_checkpoint.h"
-#include "renderer/transport/hemisphere_cells.h"
+#include "renderer/bake/checkpoint.h"
+#include "renderer/bake/hemisphere_cells.h"
+#include "tests/bake/bake_helpers.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/transport/bake_helpers.h"
 
 namespace {
 
+using bake::Bake;
+using bake::BakeSettings;
+using bake::HemisphereCells;
 using Imath::V3d;
 using std::numbers::pi;
 using test::bake_settings;
 using test::BakeScene;
 using test::irradiance_of_polygon;
-using transport::Bake;
-using transport::BakeSettings;
-using transport::HemisphereCells;
 using transport::Rgb;
 using transport::Vec3f;
 
@@ -404,7 +404,7 @@ TEST_F(BakeCheckpoint, RefusesWhatBelongsToSomethingElse) {
 }
 
 /// Writes a baked scene as text, and reads it back.
-grf::Scene read_back(const transport::BakedScene& baked) {
+grf::Scene read_back(const bake::BakedScene& baked) {
   grf::Diagnostics diagnostics;
   auto scene = grf::read_text(grf::to_text(baked.scene), "test.igrf", diagnostics);
   if (!scene) throw std::runtime_error(diagnostics.to_text());
@@ -418,7 +418,7 @@ TEST(BakedScene, SurvivesItsFile) {
     settings.directions = directions;
     Bake bake(scene.compiled, scene.points, settings);
     bake.run();
-    const transport::BakedScene baked = transport::with_irradiance(scene.scene, bake);
+    const bake::BakedScene baked = bake::with_irradiance(scene.scene, bake);
     EXPECT_TRUE(grf::has_irradiance(baked.scene.contents));
     EXPECT_EQ(baked.copies, 0U);
     EXPECT_EQ(read_back(baked), baked.scene);
@@ -442,7 +442,7 @@ TEST(BakedScene, KeepsPlacesOfAUsedMeshApart) {
   Bake bake(scene.compiled, scene.points, settings);
   bake.run();
   ASSERT_EQ(bake.vertex_count(), 8U);
-  const transport::BakedScene baked = transport::with_irradiance(scene.scene, bake);
+  const bake::BakedScene baked = bake::with_irradiance(scene.scene, bake);
   EXPECT_EQ(baked.shared_meshes, 1U);
   EXPECT_EQ(baked.copies, 1U);
   const grf::Scene again = read_back(baked);

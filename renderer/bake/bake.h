@@ -9,17 +9,17 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/bake/bake_points.h"
+#include "renderer/bake/hemisphere_cells.h"
 #include "renderer/reflectance/reflector.h"
-#include "renderer/transport/bake_points.h"
-#include "renderer/transport/hemisphere_cells.h"
 #include "renderer/transport/render.h"
 
-namespace transport {
+namespace bake {
 
 struct BakeSettings {
   /// Path integrator settings. The scattering at a vertex counts as one bounce of the depth, so a render of
   /// the same depth shows the same with and without irradiance.
-  IntegratorSettings integrator;
+  transport::IntegratorSettings integrator;
   int samples = 100;                   ///< samples per vertex: the mean over vertices, at most
   std::optional<double> target_error;  ///< stops once Bake::estimated_error is at most this
   std::optional<double> max_seconds;   ///< stops after this time, with the samples so far
@@ -52,17 +52,17 @@ struct BakeTally {
 class Bake {
  public:
   /// The scene must be compiled `without_instances`. The scene and the points must outlive the bake.
-  Bake(const CompiledScene& scene, const BakePoints& points, const BakeSettings& settings);
+  Bake(const transport::CompiledScene& scene, const BakePoints& points, const BakeSettings& settings);
 
   /// Runs to the same end conditions as a render. The result depends only on the settings, unless time or
   /// `stop` ended it.
   void run();
   /// Safe to call from any thread.
   void stop() { stopped_ = true; }
-  RenderEnd end() const { return end_; }
+  transport::RenderEnd end() const { return end_; }
 
-  RenderProgress progress() const;
-  RenderTotals totals() const;
+  transport::RenderProgress progress() const;
+  transport::RenderTotals totals() const;
 
   /// Copies what a checkpoint stores of a vertex: a consistent state from some moment of the run.
   void copy_vertex(std::size_t vertex, BakeTally& tally, std::vector<Imath::V3d>& sums) const;
@@ -74,7 +74,7 @@ class Bake {
   double baked_vertex_count() const { return static_cast<double>(std::max<std::size_t>(1, baked_vertices_)); }
 
   /// Resumes from the state of another bake of the same scene; to be called before `run`.
-  void restore(int stage, const RenderTotals& totals);
+  void restore(int stage, const transport::RenderTotals& totals);
   void restore_vertex(std::size_t vertex, const BakeTally& tally, const std::vector<Imath::V3d>& sums);
 
   // Once `run` has returned:
@@ -83,10 +83,10 @@ class Bake {
   bool has_value(std::size_t vertex) const { return tallies_[vertex].counts[0] > 0; }
   std::size_t value_count() const;
   /// Irradiance in W/m2, over all directions or over one cell.
-  Rgb irradiance(std::size_t vertex) const;
-  Rgb irradiance(std::size_t vertex, int cell) const;
+  grf::Colour irradiance(std::size_t vertex) const;
+  grf::Colour irradiance(std::size_t vertex, int cell) const;
   /// The unit directions of the cells' centres, in world space.
-  std::vector<Vec3f> directions(std::size_t vertex) const;
+  std::vector<grf::Vec3f> directions(std::size_t vertex) const;
   /// sqrt(relMSE) over vertices and channels, of the radiance of a white diffuse surface; compare
   /// Film::estimated_error over pixels. Empty while there are no two halves.
   std::optional<double> estimated_error() const;
@@ -96,7 +96,7 @@ class Bake {
   class Vertex;
 
   std::size_t cell_count() const { return static_cast<std::size_t>(cells_.count()); }
-  RenderEnd run_stages();
+  transport::RenderEnd run_stages();
   int samples_of_stage(int stage) const;
   bool run_stage(int samples);
   bool reaches_target();
@@ -105,7 +105,7 @@ class Bake {
   std::uint32_t count_after(const BakeTally& tally, int half, int samples) const;
   bool advance(std::size_t index, int samples, Vertex& vertex);
   bool add_samples(std::size_t index, int half, std::uint32_t count, Vertex& vertex);
-  void add(const GatherSample& gathered, int half, Vertex& vertex) const;
+  void add(const transport::GatherSample& gathered, int half, Vertex& vertex) const;
   void put_back(std::size_t index, const Vertex& vertex);
   Imath::V3d radiance(std::size_t vertex, int half) const;
   Imath::V3d radiance(std::size_t vertex, int half, std::size_t cell) const;
@@ -114,10 +114,10 @@ class Bake {
 
   std::mutex& lock_of(std::size_t vertex) const { return vertex_locks_[vertex % vertex_locks_.size()]; }
 
-  const CompiledScene& scene_;
+  const transport::CompiledScene& scene_;
   const BakePoints& points_;
   BakeSettings settings_;
-  GatherKernel kernel_;
+  transport::GatherKernel kernel_;
   const reflectance::Reflector white_;
   HemisphereCells cells_;
   std::size_t baked_vertices_ = 0;  ///< vertices that have faces
@@ -134,12 +134,12 @@ class Bake {
   std::atomic<int> stage_ = 0;
   std::atomic<bool> stopped_ = false;
   std::atomic<bool> out_of_time_ = false;
-  std::atomic<RenderEnd> end_ = RenderEnd::NotYet;
+  std::atomic<transport::RenderEnd> end_ = transport::RenderEnd::NotYet;
 
   mutable std::mutex totals_lock_;  ///< guards the members below
-  RenderTotals totals_;             ///< seconds are those of earlier runs
+  transport::RenderTotals totals_;  ///< seconds are those of earlier runs
   std::uint64_t restored_paths_ = 0;
   std::optional<double> last_error_;
 };
 
-}  // namespace transport
+}  // namespace bake

@@ -1,14 +1,17 @@
-#include "renderer/transport/bake_checkpoint.h"
+#include "renderer/bake/checkpoint.h"
 
 #include <filesystem>
 #include <type_traits>
 
 #include <fmt/format.h>
 
-namespace transport {
+namespace bake {
 namespace {
 
-constexpr CheckpointKind BakeKind = {{'G', 'R', 'F', 'B', 'A', 'K', '0', '1'}, "bake"};
+using transport::Fingerprint;
+using transport::take;
+
+constexpr transport::CheckpointKind BakeKind = {{'G', 'R', 'F', 'B', 'A', 'K', '0', '1'}, "bake"};
 
 /// The file's contents start with this header; each vertex's tally and sums follow, then an `End`.
 struct BakeHeader {
@@ -20,7 +23,7 @@ struct BakeHeader {
 /// earlier stages are made up for.
 struct End {
   std::int64_t stage = 0;
-  RenderTotals totals;
+  transport::RenderTotals totals;
 };
 static_assert(std::is_trivially_copyable_v<BakeHeader> && sizeof(BakeHeader) == 2 * 8 &&
                   std::is_trivially_copyable_v<End> && sizeof(End) == 8 + 6 * 8,
@@ -71,16 +74,16 @@ bool write_checkpoint(const std::string& path, const Fingerprint& fingerprint, c
     }
     return write(transport::bytes_of(End{bake.stage(), bake.totals()}));
   };
-  return write_checkpoint_frame(path, BakeKind, fingerprint, fill, diagnostics);
+  return transport::write_checkpoint_frame(path, BakeKind, fingerprint, fill, diagnostics);
 }
 
 bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerprint, Bake& bake,
                             grf::Diagnostics& diagnostics) {
   if (!std::filesystem::exists(path)) return true;
-  const auto contents = read_checkpoint_frame(path, BakeKind, fingerprint, diagnostics);
+  const auto contents = transport::read_checkpoint_frame(path, BakeKind, fingerprint, diagnostics);
   if (!contents) return false;
   const auto refuse = [&](const std::string& why) {
-    refuse_checkpoint(path, why, diagnostics);
+    transport::refuse_checkpoint(path, why, diagnostics);
     return false;
   };
   std::string_view rest = contents->bytes;
@@ -88,7 +91,7 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
   BakeHeader header;
   take(rest, &header, 1);
   if (header.vertices != bake.vertex_count() || header.sums_per_vertex != bake.sums_per_vertex()) {
-    return refuse(mismatch_reason(BakeKind, "with other options"));
+    return refuse(transport::mismatch_reason(BakeKind, "with other options"));
   }
   const std::size_t vertex_bytes = bake.vertex_count() * bytes_per_vertex(bake);
   if (rest.size() != vertex_bytes + sizeof(End)) return refuse("it is damaged (wrong file size)");
@@ -107,4 +110,4 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
   return true;
 }
 
-}  // namespace transport
+}  // namespace bake

@@ -1,4 +1,4 @@
-#include "renderer/transport/baked_scene.h"
+#include "renderer/bake/baked_scene.h"
 
 #include <algorithm>
 #include <cassert>
@@ -11,7 +11,7 @@
 #include "grf/unique_names.h"
 #include "grf/visit.h"
 
-namespace transport {
+namespace bake {
 namespace {
 
 using grf::Block;
@@ -21,6 +21,7 @@ using grf::DefinitionScope;
 using grf::Matrix44d;
 using grf::Mesh;
 using grf::Shared;
+using grf::Vec3f;
 
 grf::UniqueNames defined_names(const grf::Scene& scene) {
   grf::UniqueNames names;
@@ -176,4 +177,4 @@ bool has_few_copies(const grf::Scene& scene, grf::Diagnostics& diagnostics, std:
   return false;
 }
 
-}  // namespace transport
+}  // namespace bake

@@ -2,11 +2,9 @@
 
 #include <vector>
 
-#include "renderer/reflectance/geometry.h"
+#include "grf/math.h"
 
-namespace transport {
-
-using grf::Vec3f;
+namespace bake {
 
 /// A partition of the hemisphere about z into any number of cells of equal cosine-weighted solid angle: rings
 /// of equal-area cells of the disc below it (Beckers and Beckers 2012, "A general rule for disk and
@@ -17,9 +15,9 @@ class HemisphereCells {
 
   int count() const { return count_; }
   /// The cell that contains a direction; below the horizon, the nearest cell at the rim.
-  int cell_of(const Vec3f& direction) const;
+  int cell_of(const grf::Vec3f& direction) const;
   /// The unit direction of a cell's centre, by area.
-  Vec3f centre(int cell) const;
+  grf::Vec3f centre(int cell) const;
 
  private:
   struct Ring {
@@ -33,4 +31,4 @@ class HemisphereCells {
   std::vector<Ring> rings_;  ///< from the rim inwards
 };
 
-}  // namespace transport
+}  // namespace bake

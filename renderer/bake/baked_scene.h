@@ -6,9 +6,9 @@
 
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
-#include "renderer/transport/bake.h"
+#include "renderer/bake/bake.h"
 
-namespace transport {
+namespace bake {
 
 /// A scene with baked irradiance at its vertices.
 struct BakedScene {
@@ -38,4 +38,4 @@ BakedScene with_irradiance(grf::Scene scene, const Bake& bake);
 bool has_few_copies(const grf::Scene& scene, grf::Diagnostics& diagnostics,
                     std::size_t most_vertices = 5'000'000);
 
-}  // namespace transport
+}  // namespace bake

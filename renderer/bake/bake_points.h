@@ -7,11 +7,11 @@
 #include "grf/scene.h"
 #include "renderer/transport/scene/compiled_scene.h"
 
-namespace transport {
+namespace bake {
 
 /// Returns settings that compile a scene for baking irradiance: without instances, so that each mesh has its
 /// own vertices wherever it is placed.
-CompileSettings without_instances(CompileSettings settings);
+transport::CompileSettings without_instances(transport::CompileSettings settings);
 
 /// The vertices of a scene's meshes, lights excepted: mesh by mesh in the order of `grf::visit`, once per
 /// placement.
@@ -30,21 +30,21 @@ CompileSettings without_instances(CompileSettings settings);
 class BakePoints {
  public:
   /// `compiled` is the same scene, without instances, and must outlive this.
-  BakePoints(const grf::Scene& scene, const CompiledScene& compiled, int threads = 0);
+  BakePoints(const grf::Scene& scene, const transport::CompiledScene& compiled, int threads = 0);
 
   std::size_t count() const { return vertices_.size(); }
   /// Whether a vertex has an adjacent face with area.
   bool has_faces(std::size_t vertex) const { return !corners_of(vertex).empty(); }
 
   struct Point {
-    SurfacePoint point;
+    transport::SurfacePoint point;
     float cumulative_fraction = 1;  ///< cumulative fraction of the angles, this point included
   };
   /// Replaces `points` with those of a vertex, one per triangle.
   void points_at(std::size_t vertex, std::vector<Point>& points) const;
 
   /// The angle-weighted mean of the shading normals around a vertex that has faces.
-  static Vec3f normal_of(std::span<const Point> points);
+  static grf::Vec3f normal_of(std::span<const Point> points);
 
  private:
   static constexpr float Start = 1e-3F;
@@ -59,7 +59,7 @@ class BakePoints {
   void list_vertices(const grf::Scene& scene);
   void list_corners();
   void uncover(std::size_t vertex);
-  SurfacePoint point_at(const Corner& corner) const;
+  transport::SurfacePoint point_at(const Corner& corner) const;
   bool is_covered(const Corner& corner) const;
   float uncovered_fraction(Corner corner) const;
   std::span<const Corner> corners_of(std::size_t vertex) const {
@@ -67,10 +67,10 @@ class BakePoints {
     return std::span(corners_).subspan(first_corner_[index], first_corner_[index + 1] - first_corner_[index]);
   }
 
-  const CompiledScene& compiled_;
+  const transport::CompiledScene& compiled_;
   std::vector<std::uint32_t> vertices_;  ///< indices into the vertices of the compiled scene's only mesh
   std::vector<Corner> corners_;          ///< of all vertices of that mesh, consecutively
   std::vector<std::uint32_t> first_corner_;
 };
 
-}  // namespace transport
+}  // namespace bake

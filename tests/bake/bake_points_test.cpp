@@ -4,14 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "grf/visit.h"
-#include "tests/transport/bake_helpers.h"
+#include "tests/bake/bake_helpers.h"
 
 namespace {
 
+using bake::Bake;
 using Imath::V3d;
 using test::bake_settings;
 using test::BakeScene;
-using transport::Bake;
 using transport::Rgb;
 using transport::Vec3f;
 
@@ -31,13 +31,13 @@ TEST(Bake, WeighsFacesAtACreaseByTheirAngles) {
   bake.run();
   for (int k = 0; k < 3; ++k)
     EXPECT_NEAR(bake.irradiance(0)[k], (3 - k) * expected, 4e-3 * (3 - k) * expected);
-  std::vector<transport::BakePoints::Point> points;
+  std::vector<bake::BakePoints::Point> points;
   scene.points.points_at(0, points);
   ASSERT_EQ(points.size(), 2U);
   EXPECT_NEAR(points[0].cumulative_fraction, 0.25, 1e-6);
   EXPECT_EQ(points[1].cumulative_fraction, 1);
   const Vec3f normal = Vec3f(3, 0, 1).normalized();
-  EXPECT_LT((transport::BakePoints::normal_of(points) - normal).length(), 1e-6F);
+  EXPECT_LT((bake::BakePoints::normal_of(points) - normal).length(), 1e-6F);
 }
 
 // One transform turns a square upright and translates it, and an outer one turns it to +x, so the order
@@ -51,11 +51,11 @@ TEST(BakedScene, HoldsTheLightOfMeshesUnderTransformsInTransforms) {
   const std::array corners = {V3d(-3, 0.2, 0.1), V3d(-3, 0.2, 0.8), V3d(-3, 1.1, 0.8), V3d(-3, 1.1, 0.1)};
   const std::array places = {V3d(-5, 0, 0), V3d(-5, 1, 0), V3d(-5, 1, 1), V3d(-5, 0, 1)};
   for (const int directions : {0, 1}) {
-    transport::BakeSettings settings = bake_settings(2048, 1);
+    bake::BakeSettings settings = bake_settings(2048, 1);
     settings.directions = directions;
     Bake bake(scene.compiled, scene.points, settings);
     bake.run();
-    const transport::BakedScene baked = transport::with_irradiance(scene.scene, bake);
+    const bake::BakedScene baked = bake::with_irradiance(scene.scene, bake);
     grf::SceneVisitor visitor;
     int meshes = 0;
     visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement&, const grf::Block&) {

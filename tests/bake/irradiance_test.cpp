@@ -5,14 +5,14 @@
 #include <gtest/gtest.h>
 
 #include "grf/write.h"
-#include "tests/transport/bake_helpers.h"
+#include "tests/bake/bake_helpers.h"
 
 namespace {
 
+using bake::Bake;
 using test::bake_settings;
 using test::BakeScene;
 using test::RenderSetup;
-using transport::Bake;
 using transport::CompiledScene;
 using transport::Rgb;
 using transport::Vec3f;
@@ -119,7 +119,7 @@ TEST(Irradiance, ShowsTheRoomAsItIs) {
   Bake bake(room.compiled, room.points, bake_settings(512, 4));
   bake.run();
   const CompiledScene baked =
-      compiled_with_irradiance(grf::to_text(transport::with_irradiance(room.scene, bake).scene));
+      compiled_with_irradiance(grf::to_text(bake::with_irradiance(room.scene, bake).scene));
   RenderSetup setup;
   setup.eye = Vec3f(0.5F, 0.4F, 0.97F);
   setup.target = Vec3f(0.5F, 0.4F, 0);

@@ -1,10 +1,12 @@
-#include "renderer/transport/hemisphere_cells.h"
+#include "renderer/bake/hemisphere_cells.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace transport {
+#include "renderer/reflectance/geometry.h"
+
+namespace bake {
 namespace {
 
 /// Returns the number of cells inside the outermost ring of this many, for cells about as long as wide.
@@ -24,7 +26,7 @@ HemisphereCells::HemisphereCells(int count) : count_(count) {
   }
 }
 
-int HemisphereCells::cell_of(const Vec3f& direction) const {
+int HemisphereCells::cell_of(const grf::Vec3f& direction) const {
   const float radius2 = direction.z <= 0 ? 1 : direction.x * direction.x + direction.y * direction.y;
   const auto ring = std::find_if(rings_.begin(), rings_.end() - 1,
                                  [&](const Ring& candidate) { return radius2 >= candidate.inner2; });
@@ -34,7 +36,7 @@ int HemisphereCells::cell_of(const Vec3f& direction) const {
   return ring->first + std::min(cell, ring->cells - 1);
 }
 
-Vec3f HemisphereCells::centre(int cell) const {
+grf::Vec3f HemisphereCells::centre(int cell) const {
   const auto ring = std::find_if(rings_.begin(), rings_.end() - 1,
                                  [&](const Ring& candidate) { return cell >= candidate.first; });
   if (ring->cells == 1) return {0, 0, 1};
@@ -43,4 +45,4 @@ Vec3f HemisphereCells::centre(int cell) const {
   return reflectance::from_angles(std::sqrt(1 - radius2), std::sqrt(radius2), 2 * reflectance::Pi * turn);
 }
 
-}  // namespace transport
+}  // namespace bake

@@ -1,4 +1,4 @@
-#include "renderer/transport/bake.h"
+#include "renderer/bake/bake.h"
 
 #include <algorithm>
 #include <cassert>
@@ -10,9 +10,18 @@
 #include "renderer/parallel/loops.h"
 #include "renderer/reflectance/schemes/own_scheme.h"
 #include "renderer/transport/integrators/shading_point.h"
+#include "renderer/transport/sobol.h"
 
-namespace transport {
+namespace bake {
 namespace {
+
+using grf::Vec3f;
+using transport::CompiledScene;
+using transport::GatherSample;
+using transport::IntegratorSettings;
+using transport::RenderEnd;
+using transport::RenderTotals;
+using transport::ShadingPoint;
 
 /// Pilot samples per half, which estimate the variance at a vertex.
 constexpr int PilotSamples = 32;
@@ -23,7 +32,7 @@ std::int64_t next_check(std::int64_t samples) {
 }
 
 IntegratorSettings for_gathering(IntegratorSettings settings) {
-  settings.integrator = Integrator::Path;
+  settings.integrator = transport::Integrator::Path;
   settings.resampling.reset();
   settings.uses_irradiance = false;
   settings.measures_sampling = false;
@@ -38,7 +47,7 @@ class Bake::Vertex {
   BakeTally tally;
   std::vector<Imath::V3d> sums;
   RenderTotals done;
-  RayCounter counter;
+  transport::RayCounter counter;
   reflectance::Frame frame{Vec3f(0, 0, 1)};
 
   void stand_at(std::size_t index, const BakePoints& points, const reflectance::Reflector& reflector) {
@@ -67,8 +76,8 @@ Bake::Bake(const CompiledScene& scene, const BakePoints& points, const BakeSetti
     : scene_(scene),
       points_(points),
       settings_(settings),
-      kernel_(gather_kernel_of(scene, for_gathering(settings.integrator))),
-      white_(reflectance::Diffuse{Rgb(1)}, reflectance::OwnScheme()),
+      kernel_(transport::gather_kernel_of(scene, for_gathering(settings.integrator))),
+      white_(reflectance::Diffuse{grf::Colour(1)}, reflectance::OwnScheme()),
       cells_(std::max(1, settings.directions)),
       tallies_(points.count()),
       sums_(points.count() * sums_per_vertex(), Imath::V3d(0)),
@@ -208,19 +217,19 @@ bool Bake::advance(std::size_t index, int samples, Vertex& vertex) {
 
 bool Bake::add_samples(std::size_t index, int half, std::uint32_t count, Vertex& vertex) {
   const auto h = static_cast<std::size_t>(half);
-  const std::uint32_t seed =
-      hash(hash(settings_.seed, static_cast<std::uint32_t>(index)), static_cast<std::uint32_t>(half));
+  const std::uint32_t seed = transport::hash(
+      transport::hash(settings_.seed, static_cast<std::uint32_t>(index)), static_cast<std::uint32_t>(half));
   for (std::uint32_t& number = vertex.tally.counts[h]; number < count; ++number) {
     if (number % 16 == 0 && ends_early()) return false;
-    PathSampler sampler(seed, number);
+    transport::PathSampler sampler(seed, number);
     const ShadingPoint& shading = vertex.shading_point(sampler.next().x);
     GatherSample gathered;
     if (settings_.integrator.depth > 0) {
       gathered = kernel_(scene_, settings_.integrator, shading, sampler, vertex.counter);
     }
     ++vertex.done.paths;
-    const Rgb radiance = gathered.light.radiance + gathered.scattered.radiance;
-    if (!is_finite(radiance)) {
+    const grf::Colour radiance = gathered.light.radiance + gathered.scattered.radiance;
+    if (!transport::is_finite(radiance)) {
       assert(false && "a sample is not finite");
       ++vertex.done.rejected;
       continue;
@@ -235,8 +244,8 @@ bool Bake::add_samples(std::size_t index, int half, std::uint32_t count, Vertex&
 }
 
 void Bake::add(const GatherSample& gathered, int half, Vertex& vertex) const {
-  for (const IncidentSample& arrival : {gathered.light, gathered.scattered}) {
-    if (arrival.radiance == Rgb(0)) continue;
+  for (const transport::IncidentSample& arrival : {gathered.light, gathered.scattered}) {
+    if (arrival.radiance == grf::Colour(0)) continue;
     const std::size_t cell =
         cell_count() == 1
             ? 0
@@ -263,8 +272,8 @@ RenderTotals Bake::totals() const {
 
 double Bake::samples_per_vertex() const { return static_cast<double>(totals().paths) / baked_vertex_count(); }
 
-RenderProgress Bake::progress() const {
-  RenderProgress progress;
+transport::RenderProgress Bake::progress() const {
+  transport::RenderProgress progress;
   progress.seconds = totals().seconds;
   const double samples = samples_per_vertex();
   double needed = settings_.samples;
@@ -286,7 +295,7 @@ RenderProgress Bake::progress() const {
     needed = std::min(needed, std::max(samples, samples_of_stage(stage_) / 1.2 * ratio * ratio));
   }
   progress.done = std::min(1.0, samples / needed);
-  if (samples > restored && needed < RenderSettings::Unlimited) {
+  if (samples > restored && needed < transport::RenderSettings::Unlimited) {
     progress.seconds_left = std::max(0.0, needed - samples) * elapsed() / (samples - restored);
   }
   if (settings_.max_seconds && end == RenderEnd::NotYet) {
@@ -316,15 +325,15 @@ Imath::V3d Bake::radiance(std::size_t vertex, int half) const {
 
 // The mean of the halves' means, not of all samples: a half's sample count depends on the other half's
 // values.
-Rgb Bake::irradiance(std::size_t vertex, int cell) const {
+grf::Colour Bake::irradiance(std::size_t vertex, int cell) const {
   const auto index = static_cast<std::size_t>(cell);
   const double halves = tallies_[vertex].counts[1] > 0 ? 2 : 1;
-  return Rgb((radiance(vertex, 0, index) + radiance(vertex, 1, index)) * (std::numbers::pi / halves));
+  return grf::Colour((radiance(vertex, 0, index) + radiance(vertex, 1, index)) * (std::numbers::pi / halves));
 }
 
-Rgb Bake::irradiance(std::size_t vertex) const {
+grf::Colour Bake::irradiance(std::size_t vertex) const {
   const double halves = tallies_[vertex].counts[1] > 0 ? 2 : 1;
-  return Rgb((radiance(vertex, 0) + radiance(vertex, 1)) * (std::numbers::pi / halves));
+  return grf::Colour((radiance(vertex, 0) + radiance(vertex, 1)) * (std::numbers::pi / halves));
 }
 
 std::vector<Vec3f> Bake::directions(std::size_t vertex) const {
@@ -355,4 +364,4 @@ std::optional<double> Bake::estimated_error() const {
   return std::sqrt(sum / static_cast<double>(counted));
 }
 
-}  // namespace transport
+}  // namespace bake

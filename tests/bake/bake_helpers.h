@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "grf/relocate.h"
-#include "renderer/transport/bake.h"
-#include "renderer/transport/baked_scene.h"
+#include "renderer/bake/bake.h"
+#include "renderer/bake/baked_scene.h"
 #include "tests/transport/scene_helpers.h"
 
 namespace test {
@@ -20,7 +20,7 @@ struct BakeScene {
 
   grf::Scene scene;
   transport::CompiledScene compiled;
-  transport::BakePoints points;
+  bake::BakePoints points;
 
  private:
   static grf::Scene parsed(const std::string& text) {
@@ -33,21 +33,21 @@ struct BakeScene {
   }
   static transport::CompiledScene compiled_of(const grf::Scene& scene) {
     grf::Diagnostics diagnostics;
-    auto compiled = transport::compile(scene, diagnostics, transport::without_instances({}));
+    auto compiled = transport::compile(scene, diagnostics, bake::without_instances({}));
     if (!compiled) throw std::runtime_error(diagnostics.to_text());
     return std::move(*compiled);
   }
 };
 
-inline transport::BakeSettings bake_settings(int samples, int depth = 5) {
-  transport::BakeSettings settings;
+inline bake::BakeSettings bake_settings(int samples, int depth = 5) {
+  bake::BakeSettings settings;
   settings.samples = samples;
   settings.integrator.depth = depth;
   return settings;
 }
 
 /// Returns all values of a bake, in order.
-inline std::vector<transport::Rgb> values_of(const transport::Bake& bake) {
+inline std::vector<transport::Rgb> values_of(const bake::Bake& bake) {
   std::vector<transport::Rgb> values;
   for (std::size_t i = 0; i < bake.vertex_count(); ++i) {
     for (int k = 0; k < std::max(1, bake.settings().directions); ++k) {
