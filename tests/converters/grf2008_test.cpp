@@ -13,6 +13,7 @@
 #include "grf/write.h"
 #include "tests/grf/reading.h"
 #include "tests/grf/scene_generator.h"
+#include "tests/support/grammar_of_2008.h"
 #include "tests/support/paths.h"
 #include "tests/support/small_stack.h"
 #include "tests/support/temporary_folder.h"
@@ -264,6 +265,40 @@ TEST_F(Grf2008Files, OfBrdfsAreWrittenOutWhereTheyWouldHaveToChange) {
   EXPECT_THAT(outcome.text, HasSubstr("brdf measured \"a/gold.binary\"\n"));
 }
 
+TEST(GrammarOf2008, HasTheThesisExamplesAndNoExtension) {
+  using test::difference_from_grammar_of_2008;
+  for (const char* name :
+       {"thesis_first_example", "mesh_defined_in_an_outer_scope", "transforms_nested", "combine"}) {
+    EXPECT_EQ(difference_from_grammar_of_2008(
+                  test::bytes_of(std::string(GRANADA_SOURCE_DIR "/tests/grf/corpus/valid/") + name + ".grf")),
+              "")
+        << name;
+  }
+  EXPECT_EQ(difference_from_grammar_of_2008(
+                "begin mesh rgb (1,0,0) begin vertexs normal (0,0,1) irad (1,1,1) uv (0,0) (0,0,0) (1,0,0) "
+                "begin list ray (0,0,1) irad (1,1,1) end list (0,1,0) end vertexs begin faces brdf ward "
+                "sx=.1f half=true pdf reject 3 (0,1,2) texture wood (0,1,2) end faces end mesh "
+                "params begin dependent view (0,0,1) end"),
+            "");
+  for (const std::string& extension :
+       {triangle("\"ball\""), triangle("light rgb (1, 1, 1)"), triangle("", "(0, 1, 2) brdf none (0, 1, 2)"),
+        triangle("", "(0, 1, 2) texture none (0, 1, 2)"), triangle("brdf ward kd=(1, 1, 1)"),
+        triangle("pdf adaptive mode=warp"), triangle("brdf measured \"a.binary\" linear=true"),
+        std::string("mesh light begin rgb (1,1,1) begin vertexs end vertexs begin faces end faces end")}) {
+    EXPECT_NE(difference_from_grammar_of_2008(extension), "") << extension;
+  }
+}
+
+TEST(Grf2008, HasWhatTheEditorAuthored) {
+  for (const char* name : {"blocks", "outdoors", "still_life"}) {
+    const std::string path = std::string(GRANADA_SOURCE_DIR "/samples/authored/") + name + ".grf";
+    Diagnostics diagnostics;
+    const auto scene = read(path, diagnostics);
+    ASSERT_TRUE(scene) << name;
+    EXPECT_EQ(test::difference_from_grammar_of_2008(converted(*scene, path).text), "") << name;
+  }
+}
+
 /// Finds what the grammar of 2008 does not have.
 class Extensions {
  public:
@@ -348,6 +383,7 @@ RC_GTEST_PROP(Grf2008OfAnyScene, HasNoExtensionsAndIsReadBack, ()) {
   const std::string text = to_text(*result);
   RC_LOG() << text;
   RC_ASSERT(!Extensions::in(*result));
+  RC_ASSERT(test::difference_from_grammar_of_2008(text) == "");
   Diagnostics diagnostics;
   const auto again = read_text(text, "scene.igrf", diagnostics);
   RC_ASSERT(diagnostics.to_text() == "");

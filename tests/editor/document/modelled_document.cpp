@@ -7,9 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "converters/grf2008.h"
 #include "grf/read.h"
 #include "grf/text_file.h"
+#include "grf/write.h"
 #include "tests/editor/document/plain_edits.h"
+#include "tests/support/grammar_of_2008.h"
+#include "tests/support/temporary_folder.h"
 
 namespace editor {
 namespace {
@@ -156,6 +160,16 @@ void ModelledDocument::check_disk() {
   const auto scene = grf::read(path_, diagnostics);
   if (!scene) return fail("cannot read what was saved: " + diagnostics.to_text());
   fail(differences(on_disk(path_), plain_reading(*scene, path_).project));
+  check_grammar_of_2008(*scene);
+}
+
+/// Checks that the scene that was written has a form of 2008, and is in it as long as it says nothing newer.
+void ModelledDocument::check_grammar_of_2008(const grf::Scene& scene) {
+  grf::Diagnostics diagnostics;
+  const auto old = convert::to_grf2008(scene, path_, diagnostics);
+  if (!old) return fail("no form of 2008: " + diagnostics.to_text());
+  fail(test::difference_from_grammar_of_2008(grf::to_text(*old)));
+  if (*old == scene) fail(test::difference_from_grammar_of_2008(test::bytes_of(path_)));
 }
 
 void ModelledDocument::replace(const QString& text, grf::Scene scene, PlainProject after,
@@ -242,7 +256,7 @@ std::string ModelledDocument::check() {
   const options::RenderOptions& options = document_.options().valid_options();
   found.depth = options.depth;
   found.background = options.background.x;
-  if (problem_.empty()) problem_ = differences(state_, found);
+  fail(differences(state_, found));
   if (!reading.has_one_text_per_file) fail("a file has two texts");
   if (!is_same(document_.objects(), objects_of(scene(), path_))) fail("objects are not up to date");
   check_stack();

@@ -46,7 +46,9 @@ class ModelledDocument {
   void redo();
 
   /// Records a problem that a caller has found.
-  void fail(const std::string& problem) { problem_ = problem; }
+  void fail(const std::string& problem) {
+    if (problem_.empty()) problem_ = problem;
+  }
   /// Compares the document with the model. Returns the first difference, or an empty text.
   std::string check();
 
@@ -64,6 +66,7 @@ class ModelledDocument {
   const PlainProject& state_at(std::size_t step) const { return step == 0 ? first_ : steps_[step - 1].after; }
   PlainProject on_disk(const std::string& path) const;
   void check_disk();
+  void check_grammar_of_2008(const grf::Scene& scene);
   void check_stack();
   void check_selection();
 
