@@ -104,12 +104,6 @@ AssimpReading import_by(Read read) {
   return reading;
 }
 
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t i = text.find(from); i != std::string::npos; i = text.find(from, i + to.size())) {
-    text.replace(i, from.size(), to);
-  }
-}
-
 }  // namespace
 
 AssimpReading import_bytes(std::string_view bytes, const std::string& extension) {
@@ -128,14 +122,7 @@ std::string text_of(const aiString& string) {
   const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; };
   text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
   std::replace_if(text.begin(), text.end(), is_control, ' ');
-  // GRF has two kinds of quotes, and a string may have only one of them.
-  constexpr std::string_view Opening = "\xE2\x80\x9C";
-  constexpr std::string_view Closing = "\xE2\x80\x9D";
-  if (text.find('"') != std::string::npos) {
-    replace_all(text, Opening, "\"");
-    replace_all(text, Closing, "\"");
-  }
-  return text;
+  return with_one_kind_of_quotes(std::move(text));
 }
 
 }  // namespace convert

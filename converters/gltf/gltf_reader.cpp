@@ -18,6 +18,7 @@
 #include "converters/gltf/gltf_meshes.h"
 #include "converters/gltf/gltf_nodes.h"
 #include "converters/scene_building.h"
+#include "converters/text_encoding.h"
 #include "converters/wording.h"
 
 namespace convert {
@@ -41,11 +42,7 @@ struct Shape {
 std::string on_one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
-  // A name cannot have both plain and typographic quotes.
-  if (text.find("“") != std::string::npos || text.find("”") != std::string::npos) {
-    std::replace(text.begin(), text.end(), '"', '\'');
-  }
-  return text;
+  return with_one_kind_of_quotes(std::move(text));
 }
 
 class SceneReader {

@@ -185,6 +185,14 @@ TEST(Obj, NamesOfMeshesComeBackFromGrfText) {
   EXPECT_EQ(meshes_of(*again)[0].name, "a \"b\" \\ c // d \u00E6 (1,2)");
 }
 
+TEST(Obj, NamesOfMeshesHaveQuotesOfOneKind) {
+  const Reading reading =
+      read_obj_text(SquareVertices + "g b\" 1 \u201C2\u201D\nf 1 2 3\no \u201C3\u201D\nf 1 2 4\n");
+  ASSERT_TRUE(reading.scene.has_value());
+  EXPECT_EQ(meshes_of(*reading.scene)[0].name, "b\" 1 \"2\"");
+  EXPECT_EQ(meshes_of(*reading.scene)[1].name, "\u201C3\u201D");
+}
+
 TEST(Obj, UnderstandsTheWaysToWriteAStatement) {
   const std::string obj =
       "\xEF\xBB\xBF  v 0 0 0\r\n\tv 1 0 0 # a corner\r\nv 1 1 0\r\nf 1 \\\r\n  2 \\\n3 # all\r\nf 1// 2// "
