@@ -61,6 +61,12 @@ class Reader {
   }
 
   bool read_line(std::string_view line, std::uint32_t number) {
+    // No file's name has one, and functions of the system take it for the name's end.
+    const std::size_t nul = line.find('\0');
+    if (nul != std::string_view::npos) {
+      fail(number, nul, "found a NUL character: the file is no text");
+      return false;
+    }
     const std::string_view words = trimmed(line);
     if (words.empty() || words.starts_with("//")) return true;
     const std::size_t length = std::min(words.find_first_of(Blanks), words.size());

@@ -80,6 +80,8 @@ TEST(ToolState, SaysWhereATextIsWrong) {
   EXPECT_THAT(message_of("tool fitplot\nfoo\n"),
               HasSubstr("a.study:2:1: error: found 'foo', expected 'brdf'"));
   EXPECT_THAT(message_of("tool fitplot\nfile \n"), HasSubstr("a.study:2:"));
+  EXPECT_THAT(message_of(std::string("tool minibpt\nbrdf measured \"a.b\0\"\n", 34)),
+              HasSubstr("a.study:2:19: error: found a NUL character"));
   // Instances are read as in scenes, and located in the state.
   EXPECT_THAT(message_of("tool fitplot\n  brdf ward sx=\n"), HasSubstr("a.study:2:"));
   EXPECT_THAT(message_of("tool fitplot\n\npdf =\n"), HasSubstr("a.study:3:5: error"));
