@@ -316,7 +316,8 @@ void BrdfDrawing::refine(const std::function<bool()>& is_enough) {
     }
   }
   int rows = FewestRows;
-  while (row_ < height && !is_enough()) {
+  // At least some rows: on a slow machine the normals alone take a whole slice of time.
+  do {
     QElapsedTimer clock;
     clock.start();
     rows = std::min(rows, height - row_);
@@ -330,7 +331,7 @@ void BrdfDrawing::refine(const std::function<bool()>& is_enough) {
     } else if (taken < MostDrawing / 3) {
       rows *= 2;
     }
-  }
+  } while (row_ < height && !is_enough());
   if (row_ < height) return;
   row_ = 0;
   ++passes_;

@@ -27,7 +27,8 @@ class BrdfDrawing {
 
   /// Sets what to draw, and draws a draft of it, at a lower resolution if it would take long.
   void show(const BrdfScene& scene);
-  /// Works on the next pass until it is done or `is_enough`, which is asked after some milliseconds each.
+  /// Works on the next pass, by some rows at least, until it is done or `is_enough`, which is asked after
+  /// some milliseconds each.
   void refine(const std::function<bool()>& is_enough);
   int passes() const { return passes_; }
   int all_passes() const { return all_passes_; }

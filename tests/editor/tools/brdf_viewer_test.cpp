@@ -210,6 +210,18 @@ TEST(BrdfDrawing, RefinesToWhatTheProbeSays) {
   EXPECT_GT(inside, 1500);
 }
 
+TEST(BrdfDrawing, GoesOnWhereTheNormalsAloneTakeASliceOfTime) {
+  Offscreen offscreen;
+  ASSERT_NE(offscreen.gl(), nullptr);
+  BrdfDrawing drawing(*offscreen.gl(), {});
+  const BrdfScene scene = small_scene("ward sx=0.2 sy=0.3", studies::Environment::Kind::Studio);
+  drawing.show(scene);
+  ASSERT_GT(drawing.all_passes(), 0);
+  const int most_calls = scene.size.height() * drawing.all_passes();  // one for each row
+  for (int i = 0; i < most_calls; ++i) drawing.refine([] { return true; });
+  EXPECT_EQ(drawing.passes(), drawing.all_passes());
+}
+
 TEST(BrdfDrawing, ShadesOnTheCpuWhereTheDriverRefuses) {
   Offscreen offscreen;
   ASSERT_NE(offscreen.gl(), nullptr);
