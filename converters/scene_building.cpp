@@ -13,6 +13,7 @@
 
 #include "converters/text_encoding.h"
 #include "grf/keywords.h"
+#include "grf/write.h"
 
 namespace convert {
 namespace {
@@ -193,7 +194,7 @@ std::string name_of_file(const std::string& path) {
   std::string name = to_utf8(std::filesystem::path(path).stem().string());
   const auto is_control = [](unsigned char letter) { return letter < ' ' || letter == 127; };
   std::replace_if(name.begin(), name.end(), is_control, ' ');
-  return name;
+  return grf::with_one_kind_of_quotes(std::move(name));
 }
 
 void name_meshes(grf::Scene& scene, const std::string& path) {

@@ -115,16 +115,6 @@ std::string to_utf8(std::string_view bytes) {
   return is_utf8(bytes) ? std::string(bytes) : from_latin1(bytes);
 }
 
-std::string with_one_kind_of_quotes(std::string text) {
-  if (text.find('"') == std::string::npos) return text;
-  for (const std::string_view quote : {"\u201C", "\u201D"}) {
-    for (auto at = text.find(quote); at != std::string::npos; at = text.find(quote, at)) {
-      text.replace(at, quote.size(), "\"");
-    }
-  }
-  return text;
-}
-
 bool is_padding(std::string_view bytes) {
   return bytes.find_first_not_of(" \t\r\n\f\v\x1A") == std::string_view::npos;
 }

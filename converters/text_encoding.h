@@ -12,10 +12,6 @@ std::string to_utf8(std::string_view bytes);
 /// Returns whether `to_utf8` leaves the bytes unchanged.
 bool is_plain_utf8(std::string_view bytes);
 
-/// Replaces typographic quotes by plain ones in a text that has both: a string of GRF, which stands between
-/// quotes of one kind, cannot have both.
-std::string with_one_kind_of_quotes(std::string text);
-
 /// Returns whether bytes after the end of the data are harmless padding: line ends, blanks or DOS's
 /// end-of-file mark. Any others show that the file was misread.
 bool is_padding(std::string_view bytes);

@@ -15,6 +15,11 @@ std::string to_text(const Scene& scene);
 std::string to_text(const BrdfModel& brdf);
 std::string to_text(const PdfModel& pdf);
 
+/// Replaces typographic quotes by plain ones in a text that has both, as writing does: a string stands
+/// between quotes of one kind, and cannot have both. Readers of other formats name meshes by it, so that a
+/// scene is read back as it was.
+std::string with_one_kind_of_quotes(std::string text);
+
 /// Returns the double with the fewest digits that rounds to a float, for formats that only have doubles: 0.1F
 /// gives 0.1.
 double shortest(float value);

@@ -88,15 +88,19 @@ std::string comment_text(const std::string& comment) {
   return text;
 }
 
-std::string quoted(const std::string& string) {
-  std::string text = on_one_line(string);
-  if (text.find('"') == std::string::npos) return fmt::format("\"{}\"", text);
+std::string with_one_kind_of_quotes(std::string text) {
+  if (text.find('"') == std::string::npos) return text;
   for (const std::string_view quote : {"\u201C", "\u201D"}) {
     for (auto at = text.find(quote); at != std::string::npos; at = text.find(quote, at)) {
-      text[at] = '"';
-      text.erase(at + 1, quote.size() - 1);
+      text.replace(at, quote.size(), "\"");
     }
   }
+  return text;
+}
+
+std::string quoted(const std::string& string) {
+  const std::string text = with_one_kind_of_quotes(on_one_line(string));
+  if (text.find('"') == std::string::npos) return fmt::format("\"{}\"", text);
   return fmt::format("\u201C{}\u201D", text);
 }
 

@@ -13,6 +13,7 @@
 #include <assimp/config.h>
 
 #include "converters/text_encoding.h"
+#include "grf/write.h"
 
 namespace convert {
 namespace {
@@ -122,7 +123,7 @@ std::string text_of(const aiString& string) {
   const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; };
   text.erase(std::find(text.begin(), text.end(), '\0'), text.end());
   std::replace_if(text.begin(), text.end(), is_control, ' ');
-  return with_one_kind_of_quotes(std::move(text));
+  return grf::with_one_kind_of_quotes(std::move(text));
 }
 
 }  // namespace convert

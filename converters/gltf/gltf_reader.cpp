@@ -18,8 +18,8 @@
 #include "converters/gltf/gltf_meshes.h"
 #include "converters/gltf/gltf_nodes.h"
 #include "converters/scene_building.h"
-#include "converters/text_encoding.h"
 #include "converters/wording.h"
+#include "grf/write.h"
 
 namespace convert {
 namespace {
@@ -42,7 +42,7 @@ struct Shape {
 std::string on_one_line(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
-  return with_one_kind_of_quotes(std::move(text));
+  return grf::with_one_kind_of_quotes(std::move(text));
 }
 
 class SceneReader {

@@ -12,8 +12,8 @@
 
 #include "converters/index_table.h"
 #include "converters/obj/obj_truncation.h"
-#include "converters/text_encoding.h"
 #include "converters/wording.h"
+#include "grf/write.h"
 
 namespace convert {
 namespace {
@@ -228,7 +228,7 @@ void ObjParser::read_smoothing_group(const Statement& statement) {
 // Groups and objects without faces are not stored, to save memory.
 void ObjParser::begin_mesh(const Statement& statement) {
   if (mesh_has_faces_) text_.meshes.emplace_back();
-  text_.meshes.back() = with_one_kind_of_quotes(statement.text());
+  text_.meshes.back() = grf::with_one_kind_of_quotes(statement.text());
   mesh_has_faces_ = false;
 }
 

@@ -72,6 +72,11 @@ TEST(TransformSteps, KeepNumbersThatWereGivenSo) {
   EXPECT_EQ(transform_steps(matrix), expected);
 }
 
+TEST(NameOfFile, HasNoFolderAndQuotesOfOneKind) {
+  EXPECT_EQ(name_of_file("models/a \u201Cb\u201D.obj"), "a \u201Cb\u201D");
+  EXPECT_EQ(name_of_file("models/a\" \u201Cb\u201D.obj"), "a\" \"b\"");
+}
+
 TEST(DefinitionNames, AreDifferentIdentifiers) {
   DefinitionNames names;
   EXPECT_EQ(names.take("steel"), "steel");
