@@ -1,11 +1,11 @@
 #include "tests/support/grammar_of_2008.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <initializer_list>
 #include <regex>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -102,12 +102,10 @@ class Recognizer {
     const Token& token = peek(ahead);
     return token.kind != Kind::String && token.kind != Kind::End && token.text == text;
   }
-  bool is_one_of(std::initializer_list<std::string_view> texts) const {
-    return std::any_of(texts.begin(), texts.end(), [this](std::string_view text) { return is(text); });
+  bool is_one_of(std::initializer_list<std::string_view> texts, std::size_t ahead = 0) const {
+    return std::any_of(texts.begin(), texts.end(), [&](std::string_view text) { return is(text, ahead); });
   }
-  bool is_colour(std::size_t ahead = 0) const {
-    return is("rgb", ahead) || is("colour", ahead) || is("color", ahead);
-  }
+  bool is_colour() const { return is_one_of({"rgb", "colour", "color"}); }
   bool take(std::string_view text) {
     const bool is_there = is(text);
     if (is_there) ++position_;
@@ -237,8 +235,12 @@ class Recognizer {
   }
   /// Tells the next of a list of definitions from one more parameter.
   bool begins_definition() const {
-    const auto& words = {"texture", "rgb", "colour", "color", "brdf", "pdf", "begin"};
-    return std::any_of(words.begin(), words.end(), [this](const char* word) { return is(word, 2); });
+    return is_one_of({"texture", "rgb", "colour", "color", "brdf", "pdf", "begin"}, 2);
+  }
+  void texture() {
+    if (peek().kind == Kind::String) return expect(Kind::String, "");
+    if (is("none")) fail("a texture, which 'none' is not yet");
+    expect(Kind::Word, "a texture");
   }
   bool attribute() {
     if (is_colour()) {
@@ -248,9 +250,7 @@ class Recognizer {
     } else if (take("pdf")) {
       instance();
     } else if (take("texture")) {
-      if (is("none")) fail("a texture, which 'none' is not yet");
-      if (peek().kind != Kind::String) return expect(Kind::Word, "a texture"), true;
-      expect(Kind::String, "");
+      texture();
     } else {
       return false;
     }
