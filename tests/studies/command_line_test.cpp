@@ -75,4 +75,24 @@ TEST(StudiesAndCommandLine, ComputeTheSameAlbedo) {
   }
 }
 
+// `bpt brdf plot` says of a FIT file what `fitplot` says, also where its values are not the BRDF's own.
+TEST(StudiesAndCommandLine, SayTheSameOfAPlot) {
+  const test::TemporaryFolder folder;
+  const std::string fit = folder.path("a.fit");
+  bpt_brdf({"sample", "ward sx=0.1", "--pdf", "auto", "--u", "0.6,0.2", "--count", "50", "--fit", fit});
+  std::string other = test::bytes_of(fit);
+  other.replace(other.find("sx=0.1"), 6, "sx=0.3");
+  folder.add("b.fit", other);
+  std::vector<std::string> said;
+  for (const std::string name : {"a.fit", "b.fit"}) {
+    const auto plotted = bpt_brdf({"plot", folder.path(name), "-o", folder.path("plot.svg")});
+    const auto study =
+        test::study_of_text(fmt::format("tool fitplot\nfile {}\n", name), folder.path("a.study"));
+    EXPECT_EQ(plotted["summary"], study.summary);
+    said.push_back(study.summary);
+  }
+  EXPECT_THAT(said[0], testing::HasSubstr("all values agree with the BRDF"));
+  EXPECT_THAT(said[1], testing::Not(testing::HasSubstr("all values agree with the BRDF")));
+}
+
 }  // namespace
