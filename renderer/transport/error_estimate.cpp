@@ -21,7 +21,7 @@ constexpr double NormalQuantile = 1.96;
 /// halves' means are normally distributed, and less with heavy tails; but then the few pixels of unknown
 /// variance count in full, and images that lack their rare bright samples understate the error. Measured with
 /// error_statistics_test.
-constexpr double UncertainPart = 0.45;
+constexpr double UncertainPart = 0.38;
 /// The degrees of freedom that an error spread over few pixels loses: pixels that are noisy by chance are
 /// mistaken for noisy ones. Measured.
 constexpr double LostFreedom = 1.4;
@@ -48,20 +48,27 @@ constexpr double BrightSide = 0.7;
 /// The least radiance of the darker side along an edge, as a fraction of the brighter one's.
 constexpr double Balance = 0.5;
 
-/// The least variance of edge pixels with well-distributed samples, as a fraction of the binomial variance.
-constexpr double BinomialPart = 0.3;
+/// The variance of an edge pixel that one sample hits, in squared hits, and its growth with the hits.
+constexpr double EdgeVariance = 1 / 3.0;
+constexpr double EdgeVariancePower = 0.25;
+/// How many times the noise of a pixel's neighbours its variance is at an edge.
+constexpr double EdgeOverNoise = 4;
+/// The number of edge pixels whose measured error counts as much as the expected one.
+constexpr double EdgePixelsBefore = 5;
 
 // Measured, as UncertainPart was.
 constexpr double UncertaintyPart = 0.25;        ///< of second-order errors, from the bias of the denominators
 constexpr double OutlierUncertaintyPart = 0.2;  ///< the same, of the outliers' errors
-constexpr double TailPart = 0.45;               ///< of touched pixels' errors, for the least touched ones
+constexpr double TailPart = 0.4;                ///< of touched pixels' errors, for the least touched ones
 constexpr double TailContrastPower = 0.3;       ///< growth of that with the squared contrast
 constexpr double TailPixelsPower = 0.2;         ///< and with the number of touched pixels
 constexpr double FewTouchedPixels = 0.3;        ///< below which that number counts as this
-constexpr double TailBoundPart = 0.6;           ///< of the bound of the least touched pixel's error
+constexpr double TailBoundPart = 1;             ///< of the bound of the least touched pixel's error
 constexpr double TailBound = 5000;              ///< of the squared relative error of the least touched pixel
 constexpr double UnseenPart = 0.5;              ///< of the error of pixels without hits, in most images
-constexpr double TouchedPart = 0.65;            ///< of the touched pixels' errors, which may be missing
+constexpr double TouchedPart = 0.9;             ///< of the touched pixels' errors, which may be missing
+constexpr double UntouchedPart = 2;             ///< of the contrast of untouched pixels
+constexpr double EdgeSquares = 3;  ///< of edge pixels' squares: the tails of a binomial distribution
 
 /// Statistics of values around a pixel.
 struct Neighbours {
@@ -91,6 +98,15 @@ struct Surroundings : Neighbours {
   double darkest = std::numeric_limits<double>::max();
   double brightest = 0;
   double second_brightest = 0;
+  std::array<double, 8> variances = {};
+
+  /// The median variance: that of the smooth surroundings of an edge.
+  double median_variance() const {
+    std::array<double, 8> sorted = variances;
+    const auto middle = sorted.begin() + count / 2;
+    std::nth_element(sorted.begin(), middle, sorted.begin() + count);
+    return *middle;
+  }
 };
 
 /// A channel of the pixel whose error is estimated.
@@ -110,7 +126,9 @@ Surroundings surroundings_of(const PixelMoments& pixels, const PixelValue& value
       if (Imath::V2i(x, y) == value.pixel) continue;
       const auto index = pixels.index_of(x, y);
       const double beside = pixels.means[index][value.channel];
-      around.add(beside, pixels.variances[index][value.channel]);
+      const double variance = pixels.variances[index][value.channel];
+      around.variances[static_cast<std::size_t>(around.count)] = variance;
+      around.add(beside, variance);
       around.darkest = std::min(around.darkest, beside);
       around.second_brightest = std::max(around.second_brightest, std::min(around.brightest, beside));
       around.brightest = std::max(around.brightest, beside);
@@ -177,14 +195,27 @@ double unseen_error(const Surroundings& around, double mean, double samples) {
   return hit * hit / 4 / (radiance * radiance + RelmseFloor) / samples;
 }
 
-/// The squared relative error that a pixel may have if its samples hit two objects, one as bright as its
-/// darkest and one as bright as its brightest neighbour: a binomial distribution. The difference of halves
-/// with equally many hits does not show it.
-double possible_error(const Surroundings& around, double mean, double samples) {
-  const double high = std::max(mean, around.brightest);
+/// The expected squared relative error of a pixel at an edge, between objects as bright as its darkest and
+/// its brightest neighbour, see `error_estimate_of`; 0 if there is no edge.
+double edge_error(const Surroundings& around, double mean, double samples) {
   if (around.count == 0 || !(mean > around.darkest)) return 0;
-  const double variance = (mean - around.darkest) * (high - mean) / samples;
-  return BinomialPart * variance / (mean * mean + RelmseFloor);
+  const double hit = (std::max(mean, around.brightest) - around.darkest) / samples;
+  const double hits = (mean - around.darkest) / hit;
+  if (hits < 0.5 || hits > samples - 0.5) return 0;
+  const double fewer = std::max(1.0, std::min(hits, samples - hits));
+  const double variance = EdgeVariance * std::pow(fewer, EdgeVariancePower) * hit * hit;
+  if (variance < EdgeOverNoise * around.median_variance()) return 0;
+  return variance / (mean * mean + RelmseFloor);
+}
+
+/// Adds a value that no sample seems to have hit, though its neighbour is so bright that one hit would more
+/// than double it.
+void add_untouched(const Surroundings& around, double mean, double samples, ErrorSums::Untouched& untouched) {
+  const double hit = (around.brightest - mean) / samples;
+  const double contrast = hit / (mean + std::sqrt(RelmseFloor));
+  if (contrast <= 1 || mean - around.darkest >= hit / 2) return;
+  untouched.contrasts += contrast;
+  untouched.squares += contrast * contrast;
 }
 
 /// The value of a pixel, if it is in the rectangle and its neighbour on the bright side is bright.
@@ -242,9 +273,9 @@ std::optional<double> mean_along_edge(const PixelMoments& pixels, const PixelVal
   return most > 1 ? std::optional(sum / most) : std::nullopt;
 }
 
-/// Adds the squared relative error of a value, unless it counts as an outlier or touched pixel.
-double add_value(const PixelMoments& pixels, const PixelValue& value, const Surroundings& around,
-                 ErrorSums& sums) {
+/// Returns the squared relative error of a value; empty if it is added to the outliers or touched pixels.
+std::optional<double> add_value(const PixelMoments& pixels, const PixelValue& value,
+                                const Surroundings& around, ErrorSums& sums) {
   const double mean = value.mean;
   const double variance = value.variance;
   if (around.count == 0) return variance / (mean * mean + RelmseFloor);
@@ -258,6 +289,7 @@ double add_value(const PixelMoments& pixels, const PixelValue& value, const Surr
     if (agreement > SteadyAgreement) ++sums.outliers.steady;
   }
   sums.touched.unseen += unseen_error(around, mean, pixels.samples);
+  add_untouched(around, mean, pixels.samples, sums.untouched);
   if (!(variance > 0)) return 0;
   const double radiance = likely_radiance(pixels, value, around);
   const double error = variance / (radiance * radiance + RelmseFloor);
@@ -266,7 +298,7 @@ double add_value(const PixelMoments& pixels, const PixelValue& value, const Surr
   if (is_lone) {
     sums.outliers.own += own_error;
     sums.outliers.neighbours += error;
-    return 0;
+    return std::nullopt;
   }
   const double brighter = mean * mean / (around.darkest * around.darkest + RelmseFloor);
   const bool is_touched = visible_part(around, value) > 0.5 && brighter > 4 && mean <= around.brightest;
@@ -277,7 +309,7 @@ double add_value(const PixelMoments& pixels, const PixelValue& value, const Surr
   sums.touched.errors += own_error;
   sums.touched.logarithms += own_error * std::log(brighter);
   sums.touched.bounds += own_error * std::min(TailBound, brighter);
-  return 0;
+  return std::nullopt;
 }
 
 /// The contribution of separately counted pixels to the sums.
@@ -304,6 +336,16 @@ Supplement errors_of(const ErrorSums::Touched& touched) {
   return spread_over(touched.errors * (1 + tail), touched.errors);
 }
 
+// The more edge pixels there are, the less their measured errors are noise.
+Supplement errors_of(const ErrorSums::Edges& edges) {
+  if (!(edges.expected > 0)) return {};
+  const double pixels = edges.expected * edges.expected / edges.squares;
+  const double measured = pixels * pixels / (pixels * pixels + EdgePixelsBefore * EdgePixelsBefore);
+  const double errors = measured * edges.errors + (1 - measured) * edges.expected;
+  const double quotient = errors / edges.expected;
+  return {errors, EdgeSquares * quotient * quotient * edges.squares};
+}
+
 /// How much larger the squared errors of touched pixels, and of those that were not hit, may be: a single
 /// pixel may be touched far less than the others.
 double bound_of(const ErrorSums::Touched& touched) {
@@ -312,6 +354,12 @@ double bound_of(const ErrorSums::Touched& touched) {
   if (!(touched.errors > 0)) return of_unseen;
   const double of_one = PixelChannels * touched.bounds / std::max<double>(PixelChannels, touched.errors);
   return TailBoundPart * of_one + of_unseen;
+}
+
+/// How much larger the squared errors may be because of values that seem untouched. The mean of their
+/// contrasts is weighted by the contrasts, since the largest matter.
+double bound_of(const ErrorSums::Untouched& untouched) {
+  return untouched.contrasts > 0 ? UntouchedPart * untouched.squares / untouched.contrasts : 0;
 }
 
 /// The squared error of all outliers, and its bounds.
@@ -365,18 +413,9 @@ double logarithm_of_ratio(double freedom) {
 /// The increase of the logarithm when this much is added to a squared error of 1, halved for its root.
 double half_logarithm(double added) { return std::log1p(added) / 2; }
 
-/// The degrees of freedom of the sum of squared errors. An edge pixel whose halves happen to agree hides that
-/// much of the error may be in that pixel, so the result is at most that of its binomial error.
-double freedom_of(const ErrorSums& sums, const Supplement& touched, double outlier_errors) {
-  const double outlier_squares =
-      outlier_errors > 0 ? spread_over(outlier_errors, sums.outliers.own).squares : 0;
-  const auto effective = [&](double errors, double squares) {
-    errors += touched.errors + outlier_errors;
-    return errors * errors / (std::max(0.0, squares) + touched.squares + outlier_squares);
-  };
-  const double pixels =
-      std::min(effective(sums.errors, sums.squares), effective(sums.possible.errors, sums.possible.squares));
-  return std::max(1.0, pixels / UncertainPart - LostFreedom);
+/// The degrees of freedom of a sum of squared errors, given the sum of the squares of the pixels' errors.
+double freedom_of(double errors, double squares) {
+  return std::max(1.0, errors * errors / std::max(0.0, squares) / UncertainPart - LostFreedom);
 }
 
 }  // namespace
@@ -393,13 +432,16 @@ ErrorSums& ErrorSums::add(const ErrorSums& other, double factor) {
   values += factor * other.values;
   errors += factor * other.errors;
   squares += factor * other.squares;
-  possible.errors += factor * other.possible.errors;
-  possible.squares += factor * other.possible.squares;
+  edges.errors += factor * other.edges.errors;
+  edges.expected += factor * other.edges.expected;
+  edges.squares += factor * other.edges.squares;
   denominator_uncertainty += factor * other.denominator_uncertainty;
   touched.errors += factor * other.touched.errors;
   touched.logarithms += factor * other.touched.logarithms;
   touched.bounds += factor * other.touched.bounds;
   touched.unseen += factor * other.touched.unseen;
+  untouched.contrasts += factor * other.untouched.contrasts;
+  untouched.squares += factor * other.untouched.squares;
   outliers.count += factor * other.outliers.count;
   outliers.agreement += factor * other.outliers.agreement;
   outliers.steady += factor * other.outliers.steady;
@@ -416,19 +458,21 @@ ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted) {
     for (int x = counted.x; x < counted.x + counted.width; ++x) {
       const auto index = pixels.index_of(x, y);
       double error = 0;
-      double possible = 0;
+      double at_edges = 0;
       for (int c = 0; c < PixelChannels; ++c) {
         const PixelValue value{{x, y}, c, pixels.means[index][c], pixels.variances[index][c]};
         const Surroundings around = surroundings_of(pixels, value);
-        error += add_value(pixels, value, around, sums);
-        possible += possible_error(around, value.mean, pixels.samples);
+        const auto measured = add_value(pixels, value, around, sums);
+        if (!measured) continue;
+        const double at_edge = edge_error(around, value.mean, pixels.samples);
+        if (at_edge > 0) sums.edges.errors += *measured;
+        (at_edge > 0 ? at_edges : error) += at_edge > 0 ? at_edge : *measured;
       }
-      possible = std::max(error, possible);
       sums.errors += error;
       sums.squares += error * error;
-      sums.possible.errors += possible;
-      sums.possible.squares += possible * possible;
-      sums.denominator_uncertainty += error * error / (1 + error);
+      sums.edges.expected += at_edges;
+      sums.edges.squares += at_edges * at_edges;
+      sums.denominator_uncertainty += error * error / (1 + error) + at_edges * at_edges / (1 + at_edges);
     }
   }
   return sums;
@@ -448,18 +492,22 @@ double squared_error_of(const PixelMoments& pixels, const Imath::V2i& pixel) {
 
 std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   if (!(sums.values > 0)) return std::nullopt;
+  const Supplement edges = errors_of(sums.edges);
   const Supplement touched = errors_of(sums.touched);
   const OutlierErrors outliers = errors_of(sums.outliers);
-  const double errors = sums.errors + touched.errors + outliers.errors;
+  const double errors = sums.errors + edges.errors + touched.errors + outliers.errors;
   if (!(errors > 0)) return ErrorEstimate();
-  const double freedom = freedom_of(sums, touched, outliers.errors);
+  const double outlier_squares =
+      outliers.errors > 0 ? spread_over(outliers.errors, sums.outliers.own).squares : 0;
+  const double freedom = freedom_of(errors, sums.squares + edges.squares + touched.squares + outlier_squares);
   // All of these refer to the logarithm of the error.
   const double deviation = logarithm_of_ratio(freedom);
   const double denominator_uncertainty =
       (UncertaintyPart * (sums.denominator_uncertainty + 0.75 * touched.errors) +
        OutlierUncertaintyPart * outliers.errors) /
       errors / 2;
-  const double tail_above = half_logarithm(bound_of(sums.touched) / errors);
+  const double tail_above = std::hypot(half_logarithm(bound_of(sums.touched) / errors),
+                                       half_logarithm(bound_of(sums.untouched) / errors));
   // There may also be no tail.
   const double tail_below = -half_logarithm(-TouchedPart * touched.errors / errors);
   const double outliers_above = half_logarithm((outliers.high - outliers.errors) / errors);

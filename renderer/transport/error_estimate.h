@@ -20,12 +20,12 @@ struct ErrorSums {
   /// Second-order error e^2 / (1 + e), which comes from the uncertainty of the denominator.
   double denominator_uncertainty = 0;
 
-  /// Possible sums: `errors` and `squares` if no pixel at an edge had less than a given fraction of the
-  /// variance of a binomial distribution.
-  struct Possible {
-    double errors = 0;
-    double squares = 0;
-  } possible;
+  /// Edge pixels: samples hit one of two objects of very different radiance.
+  struct Edges {
+    double errors = 0;    ///< squared errors, estimated from the pixels' halves
+    double expected = 0;  ///< the same, of straight edges whose coverage is unknown
+    double squares = 0;   ///< squares of what a pixel's channels add to `expected`
+  } edges;
 
   /// Edge pixels that few samples have hit, so that their radiance is hardly known.
   struct Touched {
@@ -34,6 +34,12 @@ struct ErrorSums {
     double bounds = 0;      ///< upper bound of one such pixel's squared error, times that error
     double unseen = 0;      ///< expected error of pixels at such edges that no sample has hit
   } touched;
+
+  /// Values beside a bright object that no sample seems to have hit.
+  struct Untouched {
+    double contrasts = 0;  ///< radiance that one hit would add, relative to their own
+    double squares = 0;    ///< of the contrasts
+  } untouched;
 
   /// Outliers: values that stand out from all neighbours but one.
   struct Outliers {
@@ -103,7 +109,8 @@ constexpr int ErrorNeighbours = 3;
 ///
 /// This fails for a pixel at an edge of which only one half is bright: few samples hit the bright side. If
 /// the edge is nearly parallel to the rows or columns of pixels, it covers as much of the adjacent pixels,
-/// and their mean is t. Other such pixels, and outliers, are summed separately; see `error_estimate_of`.
+/// and their mean is t. Other such pixels, other edge pixels, and outliers are summed separately; see
+/// `error_estimate_of`.
 ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted);
 
 /// Returns the estimated squared error of one pixel, relative as in relMSE, the mean over its channels: d^2 /
@@ -118,6 +125,14 @@ double squared_error_of(const PixelMoments& pixels, const Imath::V2i& pixel);
 /// it is hardly known. The uncertainty of the denominators, which does not shrink with more pixels, is added
 /// to the upper bound only, since noise in the denominators makes the error seem smaller.
 ///
+/// Edge pixels. Few samples of each half hit the bright side of an edge pixel, so that the halves differ by 0
+/// or by a whole hit: d^2 is unbiased, but where a few pixels make up the error, it is 0 or several times too
+/// large. Samples that are stratified hit an edge of any coverage with nearly the same variance: if a half's
+/// expected hits lie between k and k + 1, it has one of the two, which makes 1/3 squared hit per pixel in the
+/// mean over all coverages, and about as the fourth root of the hits more where there are many. This expected
+/// error replaces the measured one where there are few edge pixels, and tells over how many pixels the error
+/// is spread.
+///
 /// Touched pixels. Let an edge cover a pixel so that h samples hit it in the mean, with all h equally likely.
 /// For pixels with one hit, h has the pdf h exp(-h), and the squared relative error (1 - h)^2 / h^2 has the
 /// tail probability 1 / (2 y): it has no mean but for the radiance of the dark side. If the squared ratio of
@@ -125,7 +140,9 @@ double squared_error_of(const PixelMoments& pixels, const Imath::V2i& pixel);
 /// with B; by how much depends on the shapes of edges, and was measured. Along an edge that is parallel to
 /// the pixels' rows all h are equal, and if h is small the one pixel that is hit has the whole error: so the
 /// sum may be greater by B once, but no more than where a row of some 40 pixels has one hit. As many pixels
-/// are not hit.
+/// are not hit. If none is hit, fewer than about 3 hits were expected (the rule of three), over any number of
+/// pixels: if they were so few per pixel that one would only double its radiance, these pixels have an error
+/// of that number of pixels, which is 3 times the contrast of a hit.
 ///
 /// Outliers. A value that stands out from all neighbours but one is a small bright object, or the end of a
 /// thin one, or a rare bright sample of a dark object. If such objects are hit h times in the mean, the

@@ -218,7 +218,7 @@ std::optional<Film::SampledError> Film::sampled_error() const {
   for (const ErrorSums& part : sums_of_tiles()) {
     if (!(part.values > 0)) continue;
     sums += part;
-    const double own = part.errors + part.touched.errors + part.outliers.neighbours;
+    const double own = part.errors + part.edges.errors + part.touched.errors + part.outliers.neighbours;
     ++tiles;
     errors += own;
     squares += own * own;
