@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "renderer/reflectance/geometry.h"
+#include "renderer/transport/scene/compiled_scene.h"
 
 namespace transport {
 namespace {
@@ -92,6 +93,14 @@ Ray Camera::ray(float x, float y, const grf::Vec2f& xi) const {
   const Vec3f from = lens_x_ * on_disc.x + lens_y_ * on_disc.y;
   const Vec3f to = (corner_ + step_x_ * x + step_y_ * y) * focus_distance_;
   return {eye_ + from, (to - from).normalized(), {}, {0, pixel_angle_}};
+}
+
+Camera camera_of(const CompiledScene& scene, const View& view, int width, int height) {
+  View local = relative_to(scene.origin(), view);
+  const grf::Vec3d eye = scene.off_faces(local.eye, local.target - local.eye);
+  local.target += eye - local.eye;
+  local.eye = eye;
+  return Camera(local, width, height);
 }
 
 }  // namespace transport

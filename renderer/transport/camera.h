@@ -5,6 +5,8 @@
 
 namespace transport {
 
+class CompiledScene;
+
 /// A rectangle of pixels of an image, from its upper left corner.
 struct CropWindow {
   int x = 0;
@@ -72,5 +74,9 @@ class Camera {
   Vec3f lens_y_;
   float focus_distance_;
 };
+
+/// Returns a camera for a view, in world space, of a scene: its rays are in the scene's coordinates. An eye
+/// that lies in a face, within rounding, does not see the face.
+Camera camera_of(const CompiledScene& scene, const View& view, int width, int height);
 
 }  // namespace transport

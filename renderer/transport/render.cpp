@@ -42,7 +42,7 @@ Render::Render(const CompiledScene& scene, const RenderSettings& settings)
       settings_(settings),
       crop_(settings.crop.value_or(CropWindow{0, 0, settings.width, settings.height})),
       kernel_(kernel_of(scene, settings.integrator)),
-      camera_(relative_to(scene.origin(), settings.view), settings.width, settings.height),
+      camera_(camera_of(scene, settings.view, settings.width, settings.height)),
       film_(crop_.width, crop_.height),
       is_rendered_(tiles_of_probe(film_, settings.probe ? settings.probe->tiles : film_.tile_count())),
       start_(std::chrono::steady_clock::now()),

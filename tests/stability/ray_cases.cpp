@@ -5,6 +5,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
+#include "renderer/transport/camera.h"
 #include "renderer/transport/integrators/shading_point.h"
 #include "tests/stability/naive_tracer.h"
 #include "tests/transport/scene_helpers.h"
@@ -309,6 +310,33 @@ Errors lamp_on_a_square() {
   return errors;
 }
 
+/// Looks up or down from points of a square, with no other face; no ray may hit the square. Naive code uses
+/// the eye as it is.
+Errors eye_in_a_face() {
+  const CompiledScene scene = scene_of(square(0));
+  const grf::Matrix44d map = map_of(Vec3f(1), Angles, Vec3f(3, 4, 5));
+  const Vec3d centre = Vec3d(0) * map;
+  const Vec3d normal = Vec3d(0, 0, 1) * map - centre;
+  constexpr int Width = 8;
+  Random random;
+  Counts counts;
+  while (counts.rays < 100'000) {
+    transport::View view;
+    view.eye = Vec3d(random.uniform(-0.9F, 0.9F), random.uniform(-0.9F, 0.9F), 0) * map;
+    view.target = view.eye + (random.uniform(0, 1) < 0.5F ? normal : -normal);
+    const transport::Camera ours = transport::camera_of(scene, view, Width, Width);
+    const transport::Camera naive(transport::relative_to(scene.origin(), view), Width, Width);
+    for (int i = 0; i < Width * Width; ++i) {
+      const auto x = static_cast<float>(i % Width) + 0.5F;
+      const auto y = static_cast<float>(i / Width) + 0.5F;
+      ++counts.rays;
+      if (!scene.is_unoccluded(ours.ray(x, y))) ++counts.ours;
+      if (!scene.is_unoccluded(naive.ray(x, y))) ++counts.naive;
+    }
+  }
+  return counts.shares();
+}
+
 /// Writes a cube with arbitrary vertex normals.
 std::string box_with_normals(Random& random) {
   std::string text = "begin mesh brdf diffuse begin vertexs ";
@@ -434,6 +462,9 @@ std::vector<HardCase> ray_cases() {
        "the bound includes the transform's rounding, at edges too", 4e-5, 0, 0, in_long_instance, Wrong},
       {"Two coincident squares", "exclude the triangle only", Bounded, 0.5, 0, 0, coincident,
        "fraction of rays from one that hit the other"},
+      {"A camera whose eye lies in a tilted square", "the eye as it is, rounded",
+       "the eye moved off the face by the error bound", 0.5, 0, 0, eye_in_a_face,
+       "fraction of camera rays that hit the square"},
       {"A sheet 1e-5 above a square", Offset, Bounded, 1, 0, 0, nearly_coincident,
        "fraction of rays from the square that miss it"},
       {"A light 1e-5 above a square", Offset, Bounded, 1, 0.01, 4e-4, lamp_on_a_square,

@@ -1,8 +1,11 @@
 // The thin lens of the camera, and the depth of field that it makes, against closed forms.
 #include "renderer/transport/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -130,6 +133,110 @@ void expect_blur(double depth) {
 TEST(DepthOfField, BlursAnEdgeAsTheCircleOfConfusionDoes) {
   expect_blur(8);  // behind the plane of focus
   expect_blur(2);  // before it
+}
+
+/// A square of side 20 about the origin, in the plane of x and y, and where it is placed.
+struct Sheet {
+  Vec3f scale, angles, offset;
+
+  grf::Matrix44d map() const {
+    using Kind = grf::TransformStep::Kind;
+    return grf::matrix_of({{Kind::Scale, scale}, {Kind::Rotation, angles}, {Kind::Translation, offset}});
+  }
+  /// The point at these coordinates in its plane.
+  Vec3d point(double x, double y) const { return Vec3d(x, y, 0) * map(); }
+  Vec3d normal() const { return (point(1, 0) - point(0, 0)).cross(point(0, 1) - point(0, 0)).normalized(); }
+  std::string text() const {
+    return test::placed(test::quad("brdf diffuse", "(-10,-10,0) (10,-10,0) (10,10,0) (-10,10,0)"), scale,
+                        angles, offset);
+  }
+  /// The same, as an instance of a mesh that is placed once more, far away.
+  std::string text_of_instances() const {
+    return "def sheet = " + test::quad("brdf diffuse", "(-10,-10,0) (10,-10,0) (10,10,0) (-10,10,0)") +
+           "begin " + test::placed("use sheet", scale, angles, offset) +
+           test::placed("use sheet", Vec3f(1), Vec3f(0), Vec3f(0, 0, 200)) + "end";
+  }
+};
+
+std::vector<Sheet> tilted_sheets() {
+  return {{Vec3f(1), Vec3f(0), Vec3f(0, 0, 3)},
+          {Vec3f(1), Vec3f(0.3F, 0.5F, 0.7F), Vec3f(3, 4, 5)},
+          {Vec3f(1), Vec3f(1.3F, -0.4F, 2.1F), Vec3f(-7, 0.1F, 2)},
+          {Vec3f(0.01F, 0.02F, 1), Vec3f(0.2F, 0.9F, -0.3F), Vec3f(0.3F, 0.7F, -0.2F)},
+          {Vec3f(30, 50, 20), Vec3f(-0.8F, 0.1F, 0.6F), Vec3f(90, -40, 10)}};
+}
+
+/// The number of camera rays, of 64 within 21 degrees of a direction, that hit something right before the
+/// eye.
+int rays_that_hit(const transport::CompiledScene& scene, const Vec3d& eye, const Vec3d& towards) {
+  View view;
+  view.eye = eye;
+  view.target = eye + towards;
+  view.field_of_view = 30;
+  const Camera camera = transport::camera_of(scene, view, 8, 8);
+  int hits = 0;
+  for (int i = 0; i < 64; ++i) {
+    const auto x = static_cast<float>(i % 8) + 0.5F;
+    const auto y = static_cast<float>(i / 8) + 0.5F;
+    const auto met = scene.caster().intersect(camera.ray(x, y));
+    if (met && met->distance < 0.01F) ++hits;
+  }
+  return hits;
+}
+
+TEST(CameraInAFace, DoesNotSeeTheFace) {
+  for (const Sheet& sheet : tilted_sheets()) {
+    for (const bool is_instance : {false, true}) {
+      const auto scene = is_instance ? test::scene_of(sheet.text_of_instances(), test::copies_up_to(0))
+                                     : test::scene_of(sheet.text());
+      for (int i = 0; i < 100; ++i) {
+        const auto place = transport::sobol_point(static_cast<std::uint32_t>(i), 5);
+        const Vec3d eye = sheet.point(16.0 * place.x - 8, 16.0 * place.y - 8);
+        // Up to 0.3 from the normal, so that the whole image is on one side of the sheet.
+        const Vec3d across = (sheet.point(1, 0) - sheet.point(0, 0)).normalized() * (0.6 * place.z - 0.3);
+        ASSERT_EQ(rays_that_hit(scene, eye, sheet.normal() + across), 0) << i << is_instance;
+        ASSERT_EQ(rays_that_hit(scene, eye, -sheet.normal() + across), 0) << i << is_instance;
+      }
+    }
+  }
+}
+
+// The sheets' corners are rounded to about 1e-6 of their coordinates, a camera ray's origin is uncertain by
+// several times that; an eye between the two stays on its side.
+TEST(CameraInAFace, SeesAFaceThatIsRightBeforeIt) {
+  for (const Sheet& sheet : tilted_sheets()) {
+    const auto scene = test::scene_of(sheet.text());
+    const double size = std::max({(sheet.point(10, 10)).length(), sheet.point(-10, 10).length(),
+                                  sheet.point(10, -10).length(), sheet.point(-10, -10).length()});
+    for (int i = 0; i < 100; ++i) {
+      const auto place = transport::sobol_point(static_cast<std::uint32_t>(i), 5);
+      const Vec3d in_face = sheet.point(16.0 * place.x - 8, 16.0 * place.y - 8);
+      const Vec3d normal = sheet.normal() * (i % 2 == 0 ? 1 : -1);
+      const Vec3d eye = in_face + normal * (6e-7 * size);
+      ASSERT_EQ(rays_that_hit(scene, eye, -normal), 64) << i << ' ' << size;
+      ASSERT_EQ(rays_that_hit(scene, eye, normal), 0) << i << ' ' << size;
+    }
+  }
+}
+
+// In a corner of a closed room, the eye is moved off three walls, to the inside.
+TEST(CameraInAFace, LooksIntoARoomFromItsCorners) {
+  const Sheet room = {Vec3f(1, 2, 1.5F), Vec3f(0.3F, 0.5F, 0.7F), Vec3f(3, 4, 5)};
+  const auto scene =
+      test::scene_of(test::placed(test::box("brdf diffuse"), room.scale, room.angles, room.offset));
+  for (int i = 0; i < 8; ++i) {
+    const Vec3d corner(i % 2 * 2 - 1, i / 2 % 2 * 2 - 1, i / 4 * 2 - 1);
+    View view;
+    view.eye = corner * room.map();
+    view.target = Vec3d(0) * room.map();
+    view.field_of_view = 20;
+    const Camera camera = transport::camera_of(scene, view, 8, 8);
+    for (int k = 0; k < 64; ++k) {
+      const auto point = scene.intersect(camera.ray(static_cast<float>(k % 8), static_cast<float>(k / 8)));
+      ASSERT_TRUE(point);
+      EXPECT_GT((point->position - Vec3f(view.eye)).length(), 1);
+    }
+  }
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ transport::View view_of_object(const grf::Box3d& bounds, double azimuth, double 
 
 std::vector<SurfacePixel> surface_pixels(const transport::CompiledScene& scene, const transport::View& view,
                                          int width, int height, const grf::Vec2f& shift) {
-  const transport::Camera camera(transport::relative_to(scene.origin(), view), width, height);
+  const transport::Camera camera = transport::camera_of(scene, view, width, height);
   std::vector<SurfacePixel> pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   parallel::for_each_index(height, [&](int row) {
     for (int column = 0; column < width; ++column) {

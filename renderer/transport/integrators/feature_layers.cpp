@@ -39,7 +39,7 @@ class FeatureRays {
  public:
   FeatureRays(const CompiledScene& scene, const View& view, int width, int height)
       : scene_(scene),
-        camera_(relative_to(scene.origin(), view), width, height),
+        camera_(camera_of(scene, view, width, height)),
         eye_(scene.to_local(view.eye)),
         forward_((view.target - view.eye).normalized()) {}
 

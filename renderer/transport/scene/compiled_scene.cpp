@@ -1,11 +1,43 @@
 #include "renderer/transport/scene/compiled_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "renderer/transport/scene/hit.h"
 
 namespace transport {
+namespace {
+
+using grf::Vec3d;
+
+/// The rounding of a triangle's corners, relative to the bound of the error of points that are interpolated
+/// between them.
+constexpr double CornerRounding = 0x1p-24 / InterpolationError;
+
+/// The plane of a triangle of the scene.
+struct FacePlane {
+  Vec3d corner;
+  Vec3d normal;      ///< unit, or 0
+  double error = 0;  ///< bounds the error of a point of the triangle along the normal
+};
+
+FacePlane plane_of(const Geometry& geometry, const TriangleId& id) {
+  const Instance& instance = geometry.instances[id.instance];
+  const TriangleMesh& mesh = geometry.meshes[instance.mesh];
+  const auto corner = [&](std::size_t i) {
+    const Vec3d position(mesh.positions[mesh.triangles[id.triangle].corners[i]]);
+    if (id.instance == 0) return position;
+    return position * Imath::M33d(instance.to_scene.linear) + Vec3d(instance.to_scene.translation);
+  };
+  const Vec3d a = corner(0);
+  const Vec3d normal = (corner(1) - a).cross(corner(2) - a).normalized();
+  constexpr float Middle = 1 / 3.0F;
+  const SurfacePoint middle = HitTriangle(geometry, {id, Middle, Middle, 0}, Ray()).point();
+  return {a, normal, Vec3d(absolute(Vec3f(normal))).dot(Vec3d(middle.error))};
+}
+
+}  // namespace
 
 CompiledScene::CompiledScene(std::shared_ptr<const Geometry> geometry, RayCaster caster,
                              std::vector<CompiledSurface> surfaces, ReflectorSet reflectors,
@@ -64,6 +96,33 @@ std::optional<RayStart> CompiledScene::offset_start(const SurfacePoint& point, c
   ++rays;
   if (caster_.is_occluded({foot, raised - foot, point.id})) return std::nullopt;
   return RayStart{raised, TriangleId()};
+}
+
+Vec3d CompiledScene::off_faces(const Vec3d& point, const Vec3d& direction) const {
+  if (bounds().isEmpty()) return point;
+  const Vec3d farthest(
+      std::max(std::abs(bounds().min.x - origin().x), std::abs(bounds().max.x - origin().x)),
+      std::max(std::abs(bounds().min.y - origin().y), std::abs(bounds().max.y - origin().y)),
+      std::max(std::abs(bounds().min.z - origin().z), std::abs(bounds().max.z - origin().z)));
+  // Twice the largest error of three corners, since the point is rounded too.
+  const double reach = 2 * 3 * InterpolationError * farthest.length();
+  std::vector<FacePlane> planes;
+  for (const TriangleId& id : caster_.triangles_near(Vec3f(point), static_cast<float>(reach))) {
+    planes.push_back(plane_of(*geometry_, id));
+  }
+  // In an edge or corner, moving off one face may lead back to another.
+  constexpr int Passes = 4;
+  Vec3d moved = point;
+  for (int pass = 0; pass < Passes; ++pass) {
+    for (const FacePlane& plane : planes) {
+      const double height = (moved - plane.corner).dot(plane.normal);
+      if (std::abs(height) >= plane.error) continue;
+      const double side =
+          std::abs(height) > CornerRounding * plane.error ? height : direction.dot(plane.normal);
+      moved += plane.normal * (std::copysign(plane.error, side) - height);
+    }
+  }
+  return moved;
 }
 
 bool CompiledScene::is_occluded(const Ray& ray, std::uint32_t emitter) const {

@@ -50,6 +50,11 @@ class CompiledScene {
   bool is_occluded(const Ray& ray, std::uint32_t emitter = InvalidIndex) const;
   bool is_unoccluded(const Ray& ray) const { return caster_.is_unoccluded(ray); }
 
+  /// Moves a point off the faces that it lies in, by the rounding error of rays that start there: to the side
+  /// that the direction points to if the point is in a face within the rounding of the face's corners, and
+  /// else to the point's own side. Without this, such rays would hit the face or not by chance.
+  grf::Vec3d off_faces(const grf::Vec3d& point, const grf::Vec3d& direction) const;
+
   const Lights& lights() const { return lights_; }
   const reflectance::Reflector* reflector(const CompiledSurface& surface) const {
     return surface.reflector == InvalidIndex ? nullptr : &reflectors_.reflectors[surface.reflector];

@@ -65,6 +65,14 @@ RTCRay to_embree(const Ray& ray, float nearest, float farthest) {
 // that offsets origins from a surface is 0.
 constexpr float Nearest = std::numeric_limits<float>::min();
 
+bool collect_triangle(RTCPointQueryFunctionArguments* arguments) {
+  const RTCPointQueryContext& context = *arguments->context;
+  const unsigned instance = context.instStackSize == 0 ? RTC_INVALID_GEOMETRY_ID : context.instID[0];
+  static_cast<std::vector<TriangleId>*>(arguments->userPtr)
+      ->push_back({instance_of(instance), arguments->primID});
+  return false;  // the distance has not shrunk
+}
+
 RTCGeometry triangles_of(RTCDevice device, const TriangleMesh& mesh) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions.data(), 0,
@@ -219,5 +227,19 @@ bool RayCaster::is_occluded(const Ray& ray, const TriangleId& target, std::uint3
 }
 
 bool RayCaster::is_unoccluded(const Ray& ray) const { return !scenes_->intersects_any(ray, Infinity, {}, 0); }
+
+std::vector<TriangleId> RayCaster::triangles_near(const Vec3f& point, float distance) const {
+  std::vector<TriangleId> found;
+  RTCPointQuery query;
+  query.x = point.x;
+  query.y = point.y;
+  query.z = point.z;
+  query.time = 0;
+  query.radius = distance;
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(scenes_->top, &query, &context, collect_triangle, &found);
+  return found;
+}
 
 }  // namespace transport

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "renderer/transport/scene/geometry.h"
 #include "renderer/transport/scene/ray.h"
@@ -43,6 +44,10 @@ class RayCaster {
 
   /// Whether nothing is in front of the origin, at any distance.
   bool is_unoccluded(const Ray& ray) const;
+
+  /// Returns the triangles whose bounding boxes reach within this distance of a point, and perhaps some
+  /// others, in any order.
+  std::vector<TriangleId> triangles_near(const Vec3f& point, float distance) const;
 
  private:
   struct Scenes;
