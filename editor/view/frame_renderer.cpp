@@ -18,8 +18,6 @@ constexpr std::size_t EdgesPerStep = 12'000;
 /// Rows of pixels per step of BRDF shading.
 constexpr int BrdfRows = 32;
 constexpr int RowsByCpp = 2;
-/// Depth bias of lines, so that adjacent faces do not hide them.
-constexpr float Nearer = 2e-4F;
 
 grf::Matrix44d moved(const grf::Matrix44d& matrix, const grf::Vec2d& shift, const QSize& size) {
   return matrix * grf::Matrix44d().setTranslation(
@@ -240,7 +238,7 @@ void FrameRenderer::paint_edges(const Job& job, const Runs& runs, bool are_trian
   const grf::Matrix44d world_to_clip = job.request.camera.world_to_camera() * job.camera_to_clip;
   lines_->bind();
   lines_->setUniformValue("line_colour", premultiplied(colour));
-  lines_->setUniformValue("nearer", Nearer);
+  lines_->setUniformValue("nearer", static_cast<float>(ViewCamera::depth_offset(job.camera_to_clip)));
   if (are_triangles) gl_.glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   for (const Run& run : runs) {
     const MeshInstance& instance = job.scene.instances()[run.instance];
@@ -282,7 +280,7 @@ void FrameRenderer::paint_normals(const Job& job, bool of_faces) {
   if (of_faces) colour = colour.lighter(150);
   normals_->bind();
   normals_->setUniformValue("line_colour", premultiplied(colour));
-  normals_->setUniformValue("nearer", Nearer);
+  normals_->setUniformValue("nearer", static_cast<float>(ViewCamera::depth_offset(job.camera_to_clip)));
   normals_->setUniformValue("camera_to_clip", to_qt(job.camera_to_clip));
   const grf::Matrix44d world_to_camera = job.request.camera.world_to_camera();
   for (std::size_t i = 0; i < job.scene.instances().size(); ++i) {

@@ -1,4 +1,4 @@
-// Transforms edges and points of a mesh, slightly towards the eye so that faces do not hide them.
+// Transforms edges and points of a mesh, slightly toward the eye so that faces do not hide them.
 layout(location = 0) in vec3 position;
 uniform mat4 to_clip;
 uniform float nearer;
@@ -6,6 +6,6 @@ uniform float point_size;
 
 void main() {
   gl_Position = to_clip * vec4(position, 1);
-  gl_Position.z -= nearer * gl_Position.w;
+  gl_Position.z -= nearer;
   gl_PointSize = point_size;
 }

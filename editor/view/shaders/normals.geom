@@ -10,7 +10,7 @@ in vec4 direction[];
 
 void put(vec3 place) {
   gl_Position = camera_to_clip * vec4(place, 1);
-  gl_Position.z -= nearer * gl_Position.w;
+  gl_Position.z -= nearer;
   EmitVertex();
 }
 

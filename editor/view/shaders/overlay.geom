@@ -9,7 +9,7 @@ out vec4 strip_colour;
 noperspective out float across;
 
 void put(vec4 clip, vec2 aside, float side, vec4 colour) {
-  gl_Position = clip + vec4(aside * 2 / screen * clip.w * side, -nearer * clip.w, 0);
+  gl_Position = clip + vec4(aside * 2 / screen * clip.w * side, -nearer, 0);
   strip_colour = colour;
   across = side * (width / 2 + 1);
   EmitVertex();

@@ -106,6 +106,27 @@ TEST(DisplayModes, IrradianceIsInItsOwnColour) {
   EXPECT_GE(colour.blue(), 254);
 }
 
+// The near plane is much nearer than the object then. A line that is moved toward the eye by a fixed depth in
+// clip space would be drawn over faces before it.
+TEST(DisplayModes, FacesHideTheGridAlsoWhereTheEyeIsBesideATallObject) {
+  transport::View place;
+  place.eye = Vec3d(1.3, 1.1, 1.9);
+  place.target = Vec3d(0, 0.5, 0);
+  place.field_of_view = 40;
+  const std::string tower =
+      "transform scale (0.5,1.5,0.5) translation (0,1.5,0) begin " + test::cube_text() + " end";
+  ShownView shown(test::objects_of_text(tower), ViewCamera(place));
+  ASSERT_TRUE(shown.is_shown);
+  // Within the front: its lower edge falls to the right.
+  const QPoint left = shown.pixel_of({-0.4, 0.04, 0.5});
+  const QRect front(QPoint(left.x(), shown.pixel_of({-0.4, 0.8, 0.5}).y()),
+                    QPoint(shown.pixel_of({0.4, 0.8, 0.5}).x(), left.y()));
+  const QImage without = grab(shown, DisplayMode::Solid).copy(front);
+  shown.view.set_grid(true);
+  const QImage with = grab(shown, DisplayMode::Solid).copy(front);
+  EXPECT_EQ(difference(with, without), 0);
+}
+
 TEST(DisplayModes, NormalsAreDrawnAsLines) {
   const QTemporaryDir folder;
   ShownView shown(rich_cube(folder), from_a_corner());
