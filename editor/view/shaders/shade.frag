@@ -1,4 +1,4 @@
-// Simple shading: one colour per surface, under a light over the viewer's left shoulder.
+// Simple shading: one colour per surface, under two lights that move with the viewer.
 uniform int shading_mode;  // 0 solid, 1 colours, 2 irradiance
 uniform float irradiance_scale;
 uniform vec3 clay;
@@ -15,7 +15,9 @@ void main() {
   if (is_nothing(face)) discard;
   vec3 n = normal_at(place);
   vec4 value = texelFetch(values, place, 0);
-  float shine = 0.3 + 0.7 * max(dot(n, normalize(vec3(-0.25, 0.4, 1))), 0);
+  // A light from above and one at the eye, so that tops and fronts differ and no visible face is black.
+  float key = max(dot(n, normalize(vec3(-0.35, 0.85, 0.6))), 0);
+  float shine = 0.22 + 0.45 * key + 0.33 * max(n.z, 0);
   vec3 shown = base_colour(face, value) * shine;
   vec4 emission = surface_row(face, 1);
   if (shading_mode == 2) {
