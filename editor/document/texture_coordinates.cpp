@@ -260,6 +260,19 @@ grf::Scene with_projected_uvs(const SelectedFaces& faces, UvProjection projectio
   });
 }
 
+UvProjection suitable_projection(const SelectedFaces& faces) {
+  Vec3d sum(0);
+  double area = 0;
+  for_each_placed_face(faces, WorldPlaces(faces),
+                       [&](const grf::Mesh& mesh, std::size_t face, const Matrix44d& to_world) {
+                         const Vec3d normal = grf::doubled_area_vector(*mesh.geometry, face, to_world);
+                         sum += normal;
+                         area += normal.length();
+                       });
+  constexpr double NearlyFlat = 0.9;  // the mean cosine of their angles to the mean normal
+  return sum.length() > NearlyFlat * area ? UvProjection::AlongNormal : UvProjection::Box;
+}
+
 Vec2d UvTransform::operator()(const Vec2d& uv) const {
   const Vec2d scaled = (uv - pivot) * scale;
   // Quarter turns are exact.

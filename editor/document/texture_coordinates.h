@@ -27,6 +27,10 @@ enum class UvProjection {
 /// longitude of the others.
 grf::Scene with_projected_uvs(const SelectedFaces& faces, UvProjection projection);
 
+/// Returns a projection that suits the faces: along their mean normal if they are nearly flat, from a box
+/// otherwise.
+UvProjection suitable_projection(const SelectedFaces& faces);
+
 /// A transform of texture coordinates: scale and then rotation about the pivot, then translation.
 struct UvTransform {
   grf::Vec2d pivot = grf::Vec2d(0);

@@ -14,17 +14,24 @@
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
 #include "editor/controls/form_widgets.h"
+#include "editor/document/texture_coordinates.h"
 #include "editor/panels/texture_preview.h"
 
 namespace editor {
 namespace {
 
 /// Sets the texture of the selected faces, or removes it.
-void edit_texture(Document& document, const AttributeEdit<grf::TextureAttribute>& texture) {
+void edit_texture(Document& document, const AttributeEdit<grf::TextureAttribute>& texture,
+                  const QString& key = {}) {
   SurfaceEdit edit;
   edit.texture = texture;
   document.edit_surfaces(texture.value() ? TextureRow::tr("Set texture") : TextureRow::tr("Remove texture"),
-                         edit);
+                         edit, key);
+}
+
+bool lack_texture_coordinates(const Document& document) {
+  return !document.selection().empty() && document.objects().faces < FewFaces &&
+         uv_bounds(document.objects(), document.selection()).isEmpty();
 }
 
 }  // namespace
@@ -38,7 +45,14 @@ void assign_texture(Document& document, const QString& path) {
   grf::Texture texture;
   texture.file = name.toStdString();
   if (!scene.isEmpty()) texture.location = grf::whole_file(scene.toStdString());
-  edit_texture(document, AttributeEdit<grf::TextureAttribute>::set(texture));
+  const QString key = QStringLiteral("texture");
+  if (lack_texture_coordinates(document)) {
+    const SelectedFaces faces = {document.scene(), document.objects(), document.selection()};
+    document.replace(TextureRow::tr("Set texture"), with_projected_uvs(faces, suitable_projection(faces)),
+                     key);
+  }
+  edit_texture(document, AttributeEdit<grf::TextureAttribute>::set(texture), key);
+  document.finish_gesture();
 }
 
 TextureRow::TextureRow(Document& document, QWidget* parent)

@@ -10,7 +10,8 @@ namespace editor {
 
 class TexturePreview;
 
-/// Assigns an image file to the selected faces, as one undo step.
+/// Assigns an image file to the selected faces, as one undo step. Faces without texture coordinates get
+/// projected ones, unless the scene has too many faces to do it at once.
 void assign_texture(Document& document, const QString& path);
 
 /// Chooses the texture of the faces: an image file, or a named texture of the scene.

@@ -234,6 +234,11 @@ void MainWindow::connect_panels() {
   connect(&brdf_editor_->sphere(), &LiveSphere::warned, messages_, &MessagePanel::add_warning);
   connect(view_controller_, &ViewController::failed, this, &MainWindow::fail);
   connect(view_controller_, &ViewController::status_message, this, &MainWindow::show_status);
+  connect(view_controller_, &ViewController::texture_dropped, this, [this] {
+    const DisplayMode mode = view_->mode();
+    if (mode == DisplayMode::Solid || mode == DisplayMode::SolidEdges)
+      view_actions_->set_mode(DisplayMode::Textured);
+  });
   connect(brdf_controller_, &BrdfController::failed, this, &MainWindow::fail);
   connect(&document_, &Document::scene_has_no_lights, this, [this] {
     notice_->show_notice(

@@ -58,7 +58,14 @@ void ViewActions::make_modes(bool has_renderer) {
                                  [this, shown = mode.mode](bool is_on) {
                                    if (is_on) view_.set_mode(shown);
                                  });
+    action->setData(static_cast<int>(mode.mode));
     modes_->addAction(action);
+  }
+}
+
+void ViewActions::set_mode(DisplayMode mode) {
+  for (QAction* action : modes_->actions()) {
+    if (action->data().toInt() == static_cast<int>(mode)) action->setChecked(true);
   }
 }
 

@@ -11,6 +11,7 @@ class QWidget;
 namespace editor {
 
 class SceneView;
+enum class DisplayMode;
 
 /// Actions for display mode and camera of the 3D view. Its keys are their shortcuts, which work while it has
 /// the focus.
@@ -23,6 +24,8 @@ class ViewActions : public QObject {
 
   void fill(QMenu& menu);
   void fill(QToolBar& bar);
+  /// Sets the display mode of the view, as its action does.
+  void set_mode(DisplayMode mode);
 
  private:
   void make_modes(bool has_renderer);

@@ -201,7 +201,12 @@ bool ViewController::drop(QDropEvent& event) {
     document_.select(std::move(only));
   }
   if (!image.isEmpty()) {
-    face ? assign_texture(document_, image) : set_environment(image);
+    if (face) {
+      assign_texture(document_, image);
+      emit texture_dropped();
+    } else {
+      set_environment(image);
+    }
     event.acceptProposedAction();
     return true;
   }

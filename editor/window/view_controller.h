@@ -43,6 +43,7 @@ class ViewController : public QObject {
  signals:
   void failed(const QString& message);
   void status_message(const QString& message);
+  void texture_dropped();  ///< on faces, which have it now
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

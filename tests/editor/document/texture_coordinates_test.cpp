@@ -118,6 +118,20 @@ TEST_F(TextureCoordinates, OfClosedMeshesWithoutAMeanNormalAreSeenFromTheFront) 
   EXPECT_EQ(uv_at(5, {3, 3, 3}), Vec2f(1, 1));
 }
 
+// Two faces at 90 degrees have a mean cosine of 0.71 to their mean normal, two at 30 degrees one of 0.97.
+TEST_F(TextureCoordinates, AreProjectedFromABoxOntoFacesThatAreNotFlat) {
+  open(SideTwo);
+  EXPECT_EQ(suitable_projection(selected()), UvProjection::Box);
+  select_only(1);
+  EXPECT_EQ(suitable_projection(selected()), UvProjection::AlongNormal);
+  selection_.set({0, 3});
+  EXPECT_EQ(suitable_projection(selected()), UvProjection::Box);
+  open(
+      "begin mesh begin vertexs (0,0,0) (1,0,0) (1,1,0) (0,1,0) (0,1.866,-0.5) (1,1.866,-0.5) end vertexs "
+      "begin faces (0,1,2,3) (3,2,5,4) end faces end mesh");
+  EXPECT_EQ(suitable_projection(selected()), UvProjection::AlongNormal);
+}
+
 TEST_F(TextureCoordinates, AreProjectedInWorldSpace) {
   open("transform scale (4, 1, 1) begin\n" + Square + "end\n");
   project(UvProjection::AlongZ);
