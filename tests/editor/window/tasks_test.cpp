@@ -19,6 +19,7 @@
 
 #include "editor/brdf/brdf_editor.h"
 #include "editor/document/object_placement.h"
+#include "editor/document/texture_coordinates.h"
 #include "editor/panels/light_panel.h"
 #include "editor/rendering/render_panel.h"
 #include "grf/write.h"
@@ -58,9 +59,19 @@ std::map<std::string, GestureCounts> documented_counts() {
   return counts;
 }
 
+/// A picture of the window after each task is saved in the folder GRANADA_PICTURES of the environment, if it
+/// is set, for people to look at.
 class Tasks : public Authoring, protected test::Gestures {
  protected:
   Tasks() : Gestures(window_) {}
+
+  void TearDown() override {
+    const QString folder = qEnvironmentVariable("GRANADA_PICTURES");
+    if (folder.isEmpty()) return;
+    const char* const name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    EXPECT_TRUE(is_drawn());
+    EXPECT_TRUE(window_.grab().save(QString("%1/%2.png").arg(folder, name)));
+  }
 
   void expect_count(const std::string& task) {
     const auto counts = documented_counts();
@@ -173,20 +184,28 @@ TEST_F(Tasks, FindAndFixFlippedNormals) {
 }
 
 TEST_F(Tasks, ScaleAModelFromMillimetres) {
-  import({write("part.obj", obj_box({0, 0, 0}, {1000, 2000, 500}))}, {}, [this](ImportDialog& dialog) {
+  const auto use_millimetres = [this](ImportDialog& dialog) {
     auto& unit = test::named<QComboBox>(dialog, "Unit");
-  click(unit);
-  type(unit, "mm");
-  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);  // ends what is typed
-});
-EXPECT_NEAR(document().objects().mesh_bounds.size().y, 2, 1e-5);
-expect_count("scale a model from millimetres");
-}  // namespace
+    click(unit);
+    type(unit, "mm");
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);  // ends what is typed
+  };
+  import({write("part.obj", obj_box({0, 0, 0}, {1000, 2000, 500}))}, {}, use_millimetres);
+  EXPECT_NEAR(document().objects().mesh_bounds.size().y, 2, 1e-5);
+  expect_count("scale a model from millimetres");
+}
 
 TEST_F(Tasks, PutALogoOnAFace) {
   open(write("box.grf", grf_box("box", "", {0, 0, 0}, {1, 1, 1})));
   drop(window_.view(), {GRANADA_SOURCE_DIR "/samples/garden/paving.png"}, pixel({0.5, 0.5, 1}));
   EXPECT_EQ(faces_where([](const grf::Surface& surface) { return surface.texture.has_value(); }), 1U);
+  // The face shows the image upright, once.
+  EXPECT_EQ(uv_bounds(document().objects(), document().selection()), UvBounds({0, 0}, {1, 1}));
+  EXPECT_EQ(window_.view().mode(), DisplayMode::Textured);
+  document().undo_stack().undo();
+  EXPECT_EQ(faces_where([](const grf::Surface& surface) { return surface.texture.has_value(); }), 0U);
+  EXPECT_TRUE(uv_bounds(document().objects(), document().selection()).isEmpty());
+  document().undo_stack().redo();
   expect_count("put a logo on a face");
 }
 
@@ -262,5 +281,5 @@ TEST(TaskCounts, AreHalfOfBlendersInTheSum) {
                                        std::to_string(blender) + "** |"));
 }
 
-}  // namespace editor
+}  // namespace
 }  // namespace editor
