@@ -83,27 +83,43 @@ void for_each_placed_face(const SelectedFaces& faces, const WorldPlaces& places,
   }
 }
 
+/// The sum of the faces' normals, each as long as twice the face's area, and of their lengths.
+struct NormalSum {
+  Vec3d normal = Vec3d(0);
+  double length = 0;
+
+  /// The mean cosine of the angles to the mean normal; 0 if there is none.
+  double mean_cosine() const { return length > 0 ? normal.length() / length : 0; }
+};
+
+NormalSum sum_of_normals(const SelectedFaces& faces, const WorldPlaces& places) {
+  NormalSum sum;
+  for_each_placed_face(faces, places,
+                       [&](const grf::Mesh& mesh, std::size_t face, const Matrix44d& to_world) {
+                         const Vec3d normal = grf::doubled_area_vector(*mesh.geometry, face, to_world);
+                         sum.normal += normal;
+                         sum.length += normal.length();
+                       });
+  return sum;
+}
+
 /// The projection of single faces, about the bounds of all.
 class FaceProjector {
  public:
   FaceProjector(const SelectedFaces& faces, const WorldPlaces& places, UvProjection projection)
       : projection_(projection) {
-    Vec3d normal(0);
-    double area = 0;
     for_each_placed_face(faces, places,
                          [&](const grf::Mesh& mesh, std::size_t face, const Matrix44d& to_world) {
                            for (const std::uint32_t corner : mesh.face(face))
                              bounds_.extendBy(Vec3d(mesh.geometry->positions[corner]) * to_world);
-                           const Vec3d of_face = grf::doubled_area_vector(*mesh.geometry, face, to_world);
-                           normal += of_face;
-                           area += of_face.length();
                          });
+    const NormalSum normals = sum_of_normals(faces, places);
     // The remainder of normals that cancel out is rounding, and no direction.
     constexpr double Cancelled = 1e-6;
-    const bool has_normal = normal.length() > Cancelled * area;
+    const bool has_normal = normals.mean_cosine() > Cancelled;
     plane_ = ImageAxes(projection == UvProjection::AlongX                      ? axis(0)
                        : projection == UvProjection::AlongY                    ? axis(1)
-                       : projection == UvProjection::AlongNormal && has_normal ? normal
+                       : projection == UvProjection::AlongNormal && has_normal ? normals.normal
                                                                                : axis(2));
     for_each_placed_face(
         faces, places, [&](const grf::Mesh& mesh, std::size_t face, const Matrix44d& to_world) {
@@ -261,16 +277,9 @@ grf::Scene with_projected_uvs(const SelectedFaces& faces, UvProjection projectio
 }
 
 UvProjection suitable_projection(const SelectedFaces& faces) {
-  Vec3d sum(0);
-  double area = 0;
-  for_each_placed_face(faces, WorldPlaces(faces),
-                       [&](const grf::Mesh& mesh, std::size_t face, const Matrix44d& to_world) {
-                         const Vec3d normal = grf::doubled_area_vector(*mesh.geometry, face, to_world);
-                         sum += normal;
-                         area += normal.length();
-                       });
-  constexpr double NearlyFlat = 0.9;  // the mean cosine of their angles to the mean normal
-  return sum.length() > NearlyFlat * area ? UvProjection::AlongNormal : UvProjection::Box;
+  constexpr double NearlyFlat = 0.9;
+  return sum_of_normals(faces, WorldPlaces(faces)).mean_cosine() > NearlyFlat ? UvProjection::AlongNormal
+                                                                              : UvProjection::Box;
 }
 
 Vec2d UvTransform::operator()(const Vec2d& uv) const {

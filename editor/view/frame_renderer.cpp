@@ -238,7 +238,7 @@ void FrameRenderer::paint_edges(const Job& job, const Runs& runs, bool are_trian
   const grf::Matrix44d world_to_clip = job.request.camera.world_to_camera() * job.camera_to_clip;
   lines_->bind();
   lines_->setUniformValue("line_colour", premultiplied(colour));
-  lines_->setUniformValue("nearer", static_cast<float>(ViewCamera::depth_offset(job.camera_to_clip)));
+  lines_->setUniformValue("nearer", ViewCamera::depth_offset(job.camera_to_clip));
   if (are_triangles) gl_.glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   for (const Run& run : runs) {
     const MeshInstance& instance = job.scene.instances()[run.instance];
@@ -280,7 +280,7 @@ void FrameRenderer::paint_normals(const Job& job, bool of_faces) {
   if (of_faces) colour = colour.lighter(150);
   normals_->bind();
   normals_->setUniformValue("line_colour", premultiplied(colour));
-  normals_->setUniformValue("nearer", static_cast<float>(ViewCamera::depth_offset(job.camera_to_clip)));
+  normals_->setUniformValue("nearer", ViewCamera::depth_offset(job.camera_to_clip));
   normals_->setUniformValue("camera_to_clip", to_qt(job.camera_to_clip));
   const grf::Matrix44d world_to_camera = job.request.camera.world_to_camera();
   for (std::size_t i = 0; i < job.scene.instances().size(); ++i) {

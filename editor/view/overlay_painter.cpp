@@ -55,7 +55,7 @@ void OverlayPainter::draw_uploaded(const grf::Matrix44d& to_clip, const Screen& 
                                                 static_cast<float>(screen.size.y * screen.pixel_ratio)));
   program_->setUniformValue("width", static_cast<float>(width * screen.pixel_ratio));
   program_->setUniformValue("opacity", static_cast<float>(opacity));
-  program_->setUniformValue("nearer", static_cast<float>(ViewCamera::depth_offset(to_clip)));
+  program_->setUniformValue("nearer", ViewCamera::depth_offset(to_clip));
   gl_.glBindVertexArray(vertex_array_.name());
   gl_.glDrawArrays(GL_LINES, 0, vertices_);
   gl_.glDisable(GL_BLEND);

@@ -139,12 +139,12 @@ grf::Matrix44d ViewCamera::camera_to_clip(double aspect, const grf::Box3d& box) 
   return clip;
 }
 
-double ViewCamera::depth_offset(const grf::Matrix44d& camera_to_clip) {
+float ViewCamera::depth_offset(const grf::Matrix44d& camera_to_clip) {
   // A line is off its face by up to a pixel, about 1/1000 of the distance, and more where the face is steep.
   constexpr double Part = 4e-3;
   const bool is_perspective = camera_to_clip[2][3] != 0;
   // The depth is a + b / distance, where -b is this element.
-  return is_perspective ? -camera_to_clip[3][2] * Part : Part;
+  return static_cast<float>(is_perspective ? -camera_to_clip[3][2] * Part : Part);
 }
 
 ViewRay ViewCamera::ray(const grf::Vec2d& place, double aspect) const {

@@ -66,7 +66,7 @@ class ViewCamera {
   /// Returns what to subtract from z in clip space so that a line on a face is not hidden by it: in
   /// perspective this moves a point toward the eye by a fixed part of its distance, wherever the near plane
   /// is.
-  static double depth_offset(const grf::Matrix44d& camera_to_clip);
+  static float depth_offset(const grf::Matrix44d& camera_to_clip);
   ViewRay ray(const grf::Vec2d& place, double aspect) const;
   /// Projects a point into the image; nothing for one that is not in front of the eye.
   std::optional<grf::Vec2d> place_of(const grf::Vec3d& point, double aspect) const;
