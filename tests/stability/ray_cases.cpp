@@ -21,11 +21,6 @@ using transport::Vec3f;
 
 const Vec3f Angles(0.3F, 0.5F, 0.7F);
 
-grf::Matrix44d map_of(const Vec3f& scale, const Vec3f& angles, const Vec3f& offset) {
-  using Kind = grf::TransformStep::Kind;
-  return grf::matrix_of({{Kind::Scale, scale}, {Kind::Rotation, angles}, {Kind::Translation, offset}});
-}
-
 /// Numbers of failed rays.
 struct Counts {
   std::uint64_t rays = 0, ours = 0, naive = 0;

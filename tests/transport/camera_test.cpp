@@ -139,21 +139,17 @@ TEST(DepthOfField, BlursAnEdgeAsTheCircleOfConfusionDoes) {
 struct Sheet {
   Vec3f scale, angles, offset;
 
-  grf::Matrix44d map() const {
-    using Kind = grf::TransformStep::Kind;
-    return grf::matrix_of({{Kind::Scale, scale}, {Kind::Rotation, angles}, {Kind::Translation, offset}});
-  }
+  grf::Matrix44d map() const { return test::map_of(scale, angles, offset); }
   /// The point at these coordinates in its plane.
   Vec3d point(double x, double y) const { return Vec3d(x, y, 0) * map(); }
   Vec3d normal() const { return (point(1, 0) - point(0, 0)).cross(point(0, 1) - point(0, 0)).normalized(); }
-  std::string text() const {
-    return test::placed(test::quad("brdf diffuse", "(-10,-10,0) (10,-10,0) (10,10,0) (-10,10,0)"), scale,
-                        angles, offset);
+  static std::string mesh() {
+    return test::quad("brdf diffuse", "(-10,-10,0) (10,-10,0) (10,10,0) (-10,10,0)");
   }
+  std::string text() const { return test::placed(mesh(), scale, angles, offset); }
   /// The same, as an instance of a mesh that is placed once more, far away.
   std::string text_of_instances() const {
-    return "def sheet = " + test::quad("brdf diffuse", "(-10,-10,0) (10,-10,0) (10,10,0) (-10,10,0)") +
-           "begin " + test::placed("use sheet", scale, angles, offset) +
+    return "def sheet = " + mesh() + "begin " + test::placed("use sheet", scale, angles, offset) +
            test::placed("use sheet", Vec3f(1), Vec3f(0), Vec3f(0, 0, 200)) + "end";
   }
 };

@@ -11,6 +11,7 @@
 namespace {
 
 using test::box;
+using test::map_of;
 using test::placed;
 using transport::CompiledScene;
 using transport::Ray;
@@ -72,11 +73,6 @@ Leaks leaks(const CompiledScene& scene, const grf::Matrix44d& map, int count) {
     if (scene.is_unoccluded(onwards) || !scene.intersect(onwards)) ++leaks.after_corners_or_edges;
   }
   return leaks;
-}
-
-grf::Matrix44d map_of(const Vec3f& scale, const Vec3f& angles, const Vec3f& offset) {
-  using Kind = grf::TransformStep::Kind;
-  return grf::matrix_of({{Kind::Scale, scale}, {Kind::Rotation, angles}, {Kind::Translation, offset}});
 }
 
 /// The number of eight rays around this one, which pass its end at this many rounding errors of its length,

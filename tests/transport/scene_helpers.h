@@ -57,6 +57,15 @@ inline std::string placed(const std::string& what, const transport::Vec3f& scale
                      what);
 }
 
+/// The map of what is `placed`.
+inline grf::Matrix44d map_of(const transport::Vec3f& scale, const transport::Vec3f& angles,
+                             const transport::Vec3f& offset) {
+  using grf::TransformStep;
+  return grf::matrix_of({{TransformStep::Kind::Scale, scale},
+                         {TransformStep::Kind::Rotation, angles},
+                         {TransformStep::Kind::Translation, offset}});
+}
+
 /// A sphere of radius 1 about the origin, of quads and triangles with outward fronts.
 inline std::string sphere(const std::string& attributes, int rows, bool normals) {
   const int columns = 2 * rows;
