@@ -14,7 +14,7 @@ constexpr double NormalQuantile = 1.96;
 /// halves' means are normally distributed, and less with heavy tails; but then the few pixels of unknown
 /// variance count in full, and images that lack their rare bright samples understate the error. Measured with
 /// error_statistics_test.
-constexpr double UncertainPart = 0.38;
+constexpr double UncertainPart = 0.36;
 /// The degrees of freedom that an error spread over few pixels loses: pixels that are noisy by chance are
 /// mistaken for noisy ones. Measured.
 constexpr double LostFreedom = 1.4;
@@ -34,6 +34,7 @@ constexpr double TailPart = 0.4;                ///< of touched pixels' errors, 
 constexpr double TailContrastPower = 0.3;       ///< growth of that with the squared contrast
 constexpr double TailPixelsPower = 0.2;         ///< and with the number of touched pixels
 constexpr double FewTouchedPixels = 0.3;        ///< below which that number counts as this
+constexpr double ManyTouchedPixels = 60;        ///< above which it counts as this: the tail is sampled then
 constexpr double UnseenPart = 0.5;              ///< of the error of pixels without hits, in most images
 constexpr double TouchedPart = 0.9;             ///< of the touched pixels' errors, which may be missing
 constexpr double UntouchedPart = 2;             ///< of the contrast of untouched pixels
@@ -57,7 +58,7 @@ double contrast_of(const ErrorSums::Touched& touched) {
 
 Supplement errors_of(const ErrorSums::Touched& touched) {
   if (!(touched.errors > 0)) return {};
-  const double pixels = std::max(FewTouchedPixels, touched.errors / PixelChannels);
+  const double pixels = std::clamp(touched.errors / PixelChannels, FewTouchedPixels, ManyTouchedPixels);
   const double tail =
       TailPart * std::pow(contrast_of(touched), TailContrastPower) * std::pow(pixels, TailPixelsPower);
   return spread_over(touched.errors * (1 + tail), touched.errors);

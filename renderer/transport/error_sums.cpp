@@ -37,6 +37,9 @@ constexpr double EdgeVariancePower = 0.25;
 /// How many times the noise of a pixel's neighbours its variance is at an edge.
 constexpr double EdgeOverNoise = 4;
 
+/// The squared radiance of a touched pixel, relative to the dark side of its edge, above which its own mean
+/// says little of the true one.
+constexpr double TouchedContrast = 2;
 /// The largest squared relative error of a touched pixel. Measured with error_statistics_test.
 constexpr double TailBound = 5000;
 
@@ -271,7 +274,8 @@ std::optional<double> add_value(const PixelMoments& pixels, const PixelValue& va
     return std::nullopt;
   }
   const double brighter = mean * mean / (around.darkest * around.darkest + RelmseFloor);
-  const bool is_touched = visible_part(around, value) > 0.5 && brighter > 4 && mean <= around.brightest;
+  const bool is_touched =
+      visible_part(around, value) > 0.5 && brighter > TouchedContrast && mean <= around.brightest;
   if (!is_touched) return error;
   if (const auto along = mean_along_edge(pixels, value, BrightSide * around.brightest)) {
     return variance / (*along * *along + RelmseFloor);

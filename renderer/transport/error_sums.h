@@ -77,7 +77,7 @@ struct PixelMoments {
 };
 
 /// The radius, in pixels, of the neighbourhood that is used for a pixel's error.
-constexpr int ErrorNeighbours = 3;
+constexpr int ErrorNeighbours = 7;
 
 /// Sums the estimated errors of the pixels of `counted`, a rectangle within the given one; the pixels around
 /// it, up to `ErrorNeighbours` to each side, serve to detect edges.
