@@ -104,7 +104,7 @@ QPixmap cost_page() {
   stage.open(Samples + "gallery/simple_scene.grf");
   editor::CostPage& page = stage.window().cost_page();
   page.open(Samples + "studies/cost/still_life.json");
-  stage.hide_docks({"scene", "object", "surface", "brdf", "lights", "cameras", "history", "uv"});
+  stage.hide_all_docks();
   stage.settle();
   return stage.picture();
 }
@@ -294,7 +294,7 @@ QPixmap messages() {
 /// The eight display modes, each with its name.
 QPixmap display_modes() {
   Stage stage({1100, 800});
-  stage.hide_docks({"scene", "lights", "surface", "brdf"});
+  stage.hide_all_docks();
   const std::pair<const char*, QString> modes[] = {
       {"Points", "bunny/scene.grf"},          {"Wireframe", "shapes/knot.grf"},
       {"Solid", "teapot/teapot.grf"},         {"Solid with edges", "shapes/sphere.grf"},
@@ -314,7 +314,8 @@ QPixmap display_modes() {
     const QRect place(QPoint(number % Columns * tile.width(), number / Columns * tile.height()), tile);
     const QPixmap shown =
         stage.window().view().grab().scaled(tile, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-    painter.drawPixmap(place.topLeft(), shown, QRect({(shown.width() - tile.width()) / 2, 0}, tile));
+    const QSize cut = (shown.size() - tile) / 2;
+    painter.drawPixmap(place.topLeft(), shown, QRect({cut.width(), cut.height()}, tile));
     const editor::ThemeColours colours = editor::colours_of(editor::theme_of(QApplication::palette()));
     const QRect label = place.adjusted(0, tile.height() - 3 * editor::Grid, 0, 0);
     painter.fillRect(label, colours.window);
@@ -339,7 +340,7 @@ QPixmap compared_images() {
   images.select_image("64 samples");
   images.select_reference("4 samples");
   images.set_comparison(editor::Comparison::Wipe);
-  stage.hide_docks({"scene", "lights", "surface", "brdf", "render"});
+  stage.hide_all_docks();
   return stage.picture();
 }
 

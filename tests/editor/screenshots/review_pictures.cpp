@@ -212,7 +212,7 @@ void studies(const Take& take) {
 /// All display modes of one scene with data for each.
 void modes(const Take& take) {
   Stage stage({1280, 800});
-  stage.hide_docks({"scene", "lights", "surface", "brdf"});
+  stage.hide_all_docks();
   stage.open(Samples + "garden/garden.grf");
   stage.act("Look through the camera");
   const char* const names[] = {"points",   "wireframe",      "solid",      "solid_with_edges",

@@ -105,6 +105,11 @@ void Stage::hide_docks(const QStringList& names) {
   settle();
 }
 
+void Stage::hide_all_docks() {
+  for (QDockWidget* dock : window_->findChildren<QDockWidget*>()) dock->hide();
+  settle();
+}
+
 void Stage::show_mistake() {
   open(add("scenes/lamp.grf", R"(// A lamp over a table.
 def wood = brdf ward sx=0.2 ks=0.1 kd=(0.4, 0.25, 0.1)

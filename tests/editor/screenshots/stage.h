@@ -48,6 +48,7 @@ class Stage {
   /// Shows a dock, in front of others that are tabbed with it.
   QDockWidget& dock(const QString& name);
   void hide_docks(const QStringList& names);
+  void hide_all_docks();
   /// Opens a scene with a misspelt name, and goes to the location of its message.
   void show_mistake();
   /// Runs a preview until it is done.
