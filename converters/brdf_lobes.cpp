@@ -186,7 +186,16 @@ BrdfLobes poulin(const Arguments& a) {
   return {a.colour({"kd"}, 0.5), a.colour({"ks"}, 0.5), a.number({"n"}, 50)};
 }
 
-constexpr std::array<BrdfRule, 22> BrdfRules = {{
+// What its facets reflect once, and the mean albedo over the hemisphere with what they scatter to each other.
+BrdfLobes eon(const Arguments& a) {
+  const double rough = a.number({"rough"}, 0.5);
+  const double once = (1 + (2 / 3.0 - 28 / (15 * std::numbers::pi)) * rough) /
+                      (1 + (1 / 2.0 - 2 / (3 * std::numbers::pi)) * rough);
+  const Vec3d kd = a.colour({"kd"}, 0.5);
+  return diffuse(kd * once / (Vec3d(1) - kd * (1 - once)));
+}
+
+constexpr std::array<BrdfRule, 23> BrdfRules = {{
     {"diffuse", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"minnaert", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"oren", "r", "", "", [](const Arguments& a) { return diffuse(a.colour({"r"}, 0.5)); }},
@@ -212,6 +221,7 @@ constexpr std::array<BrdfRule, 22> BrdfRules = {{
     {"he", "kd", "ks F", "tau^2/(2 sigma^2) - 2", wave},
     {"granier", "kd", "ks F + kt (1 - F)^2", "m/nreal^2, or n if ks F is the larger", granier},
     {"poulin", "kd", "ks", "n", poulin},
+    {"eon", "kd m/(1 - kd (1 - m)), m the albedo of white facets in single scattering", "", "", eon},
 }};
 
 Vec3d in_unit(const Vec3d& v) {

@@ -10,6 +10,7 @@
 #include "renderer/reflectance/combine.h"
 #include "renderer/reflectance/coupled.h"
 #include "renderer/reflectance/diffuse.h"
+#include "renderer/reflectance/eon.h"
 #include "renderer/reflectance/granier.h"
 #include "renderer/reflectance/hanrahan.h"
 #include "renderer/reflectance/he.h"
@@ -34,7 +35,7 @@ namespace reflectance {
 /// The analytic models: the only list that a new model is added to.
 using FormulaBrdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren,
                                  Torrance, Coupled, Ashikhmin, Schlick, Strauss, Neumann, BeardMaxwell,
-                                 Kajiya, Hanrahan, Westin, Granier, Poulin, He>;
+                                 Kajiya, Hanrahan, Westin, Granier, Poulin, He, Eon>;
 
 template <class Variant, class... More>
 struct Extended;

@@ -34,6 +34,10 @@ template <class Real>
 Imath::Vec3<Real> min(const Imath::Vec3<Real>& a, Real b) {
   return {min(a.x, b), min(a.y, b), min(a.z, b)};
 }
+template <class Real>
+Imath::Vec3<Real> max(const Imath::Vec3<Real>& a, Real b) {
+  return {max(a.x, b), max(a.y, b), max(a.z, b)};
+}
 
 /// Functions that GLSL lacks or computes with too few digits. In float, C++ and GLSL both run this text.
 struct FloatFunctions {

@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
                     AlbedoRow{"torrance m=0.35 nreal=0.617 nimag=2.63 ks=0.7 kd=0.3", 0.8106, 0.7835, 0.8098},
                     AlbedoRow{"ward sx=0.2 ks=0.5 kd=0.5", 0.9475, 0.8191, 0.6081},
                     AlbedoRow{"schlick SC=0.7 Sr=0.31 Sp=1", 0.5293, 0.5927, 1.8992},
-                    AlbedoRow{"oren s=0 r=1", 1, 1, 1},
+                    AlbedoRow{"oren s=0 r=1", 1, 1, 1}, AlbedoRow{"eon rough=0.7 kd=1", 1, 1, 1},
                     AlbedoRow{"lafortune n=100 kp=0.96", 1.0216, 1.0036, 0.9708},
                     AlbedoRow{"coupled Rm=1 R0=0.05", 1, 1, 1},
                     AlbedoRow{"ashikhmin nu=25 nv=25 ks=0.39 kd=0.6", 0.6889, 0.6314, 0.4353}),
@@ -247,6 +247,43 @@ TEST(Oren, IsAsPrinted) {
 TEST(Oren, GainsAsMuchAsItsFitDoes) {
   EXPECT_NEAR(albedo_with_specular("oren s=0.2 r=1", 80), 1.019, 5e-4);
   EXPECT_NEAR(albedo_with_specular("oren s=0.3 r=1", 89.9), 1.05, 5e-3);
+}
+
+TEST(Eon, IsLambertForRoughness0) { expect_same("eon rough=0 kd=0.7", "diffuse kd=0.7", 1e-6F); }
+
+// Portsmouth, Kutz and Hill 2025: single scattering with s and t, and 1 less the albedos.
+TEST(Eon, IsAsPrinted) {
+  const Brdf brdf = brdf_of("eon rough=0.6 kd=0.8");
+  const double scale = 1 / (1 + (0.5 - 2 / (3 * M_PI)) * 0.6);
+  const auto albedo = [scale](double cosine) {
+    const double theta = std::acos(cosine);
+    const double sine = std::sin(theta);
+    const double slope = sine * (theta - sine * cosine);
+    return scale * (1 + 0.6 / M_PI * (slope + 2 / 3.0 * (sine / cosine * (1 - std::pow(sine, 3)) - sine)));
+  };
+  const double mean = scale * (1 + (2 / 3.0 - 28 / (15 * M_PI)) * 0.6);
+  const double further = 0.64 * mean / (1 - 0.8 * (1 - mean));
+  for (const Pair& pair : easy_pairs()) {
+    const Imath::V3d u(pair.u);
+    const Imath::V3d v(pair.v);
+    const double s = u.dot(v) - u.z * v.z;
+    const double t = s > 0 ? std::max(u.z, v.z) : 1;
+    const double expected =
+        0.8 * scale * (1 + 0.6 * s / t) + further * (1 - albedo(u.z)) * (1 - albedo(v.z)) / (1 - mean);
+    EXPECT_NEAR(evaluate(brdf, pair.u, pair.v).x, expected / M_PI, 1e-5);
+  }
+}
+
+// Light that facets scatter to each other meets their colour several times.
+TEST(Eon, SaturatesColoursTheRougherItIs) {
+  const auto ratio = [](const std::string& rough) {
+    const Brdf brdf = brdf_of("eon kd=(0.8, 0.4, 0.4) rough=" + rough);
+    const Rgb value = evaluate(brdf, test::direction(80, 0), test::direction(80, 180));
+    return value.x / value.y;
+  };
+  EXPECT_NEAR(ratio("0"), 2, 1e-5);
+  EXPECT_GT(ratio("0.5"), 2.05);
+  EXPECT_GT(ratio("1"), ratio("0.5"));
 }
 
 TEST(Torrance, IsAsPrinted) {
@@ -448,6 +485,7 @@ TEST(Neumann, KnowsTheAreaOfEllipsesThatCrossTheHorizon) {
 
 TEST(Parts, AreThoseThatABrdfHas) {
   EXPECT_TRUE(has_diffuse_part(brdf_of("oren")) && !has_glossy_part(brdf_of("oren")));
+  EXPECT_TRUE(has_diffuse_part(brdf_of("eon")) && !has_glossy_part(brdf_of("eon")));
   EXPECT_TRUE(has_diffuse_part(brdf_of("coupled")) && has_specular_part(brdf_of("coupled")));
   EXPECT_FALSE(has_glossy_part(brdf_of("coupled")));
   EXPECT_FALSE(has_nonspecular_part(brdf_of("coupled Rm=0")));

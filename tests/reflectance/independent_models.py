@@ -98,6 +98,23 @@ def oren(p, u, v):
     return max(0.0, p.r / pi * direct + p.r ** 2 / pi * between)
 
 
+def fon_albedo(rough, theta):
+    scale = 1 / (1 + (1 / 2 - 2 / (3 * pi)) * rough)
+    slope = sin(theta) * (theta - sin(theta) * cos(theta))
+    slope += 2 / 3 * (tan(theta) * (1 - sin(theta) ** 3) - sin(theta))
+    return scale * (1 + rough / pi * slope)
+
+
+def eon(p, u, v):
+    s = sin(u.theta) * sin(v.theta) * cos(u.phi - v.phi)
+    t = max(cos(u.theta), cos(v.theta)) if s > 0 else 1
+    scale = 1 / (1 + (1 / 2 - 2 / (3 * pi)) * p.rough)
+    single = p.kd / pi * scale * (1 + p.rough * s / t)
+    mean = scale * (1 + (2 / 3 - 28 / (15 * pi)) * p.rough)
+    colour = p.kd ** 2 * mean / (1 - p.kd * (1 - mean))
+    return single + colour / pi * (1 - fon_albedo(p.rough, u.theta)) * (1 - fon_albedo(p.rough, v.theta)) / (1 - mean)
+
+
 def strauss(p, u, v):
     def f(x):
         kf = 1.12
@@ -247,7 +264,7 @@ def granier(p, u, v):
 COLOURS = ('red', 'green', 'blue')
 FUNCTIONS = {function.__name__: function for function in (
     diffuse, phong, blinn, lewis, ward, minnaert, lafortune, oren, torrance, coupled, ashikhmin, schlick, strauss, neumann,
-    beardmaxwell, kajiya, hanrahan, westin, granier, poulin, he)}
+    beardmaxwell, kajiya, hanrahan, westin, granier, poulin, he, eon)}
 FUNCTIONS['specular'] = black
 MIRRORS = {'specular': lambda p, u: p.ks, 'coupled': coupled_mirror, 'schlick': schlick_mirror, 'he': he_mirror,
            'westin': westin_mirror}
@@ -274,6 +291,7 @@ DEFAULTS = {
     'granier': 'nreal=(1.50,1.51,1.52) d=400 n=100 m=20 tilt=0 ks=1 kt=0.8 kd=0',
     'poulin': 'd=2 h=0 n=50 ks=0.5 kd=0.5',
     'he': 'sigma=0.2 tau=2 lambda=(645,525,445) nreal=0 nimag=0 ks=1 kd=0',
+    'eon': 'rough=0.5 kd=0.5',
 }
 ALIASES = {'torrance': {'m': 'rough'}, 'ashikhmin': {'nu': 'ex', 'nv': 'ey', 'ks': 'Rs', 'kd': 'Rd'}, 'coupled': {'Ro': 'R0'}}
 

@@ -2,6 +2,7 @@
 #include <functional>
 
 #include "renderer/reflectance/beardmaxwell.h"
+#include "renderer/reflectance/eon.h"
 #include "renderer/reflectance/kajiya.h"
 #include "renderer/reflectance/oren.h"
 #include "renderer/reflectance/torrance.h"
@@ -178,6 +179,38 @@ Errors oren_at_grazing() {
       });
 }
 
+/// Tests light from across the normal, where single and further scattering both vanish.
+Errors eon_at_grazing() {
+  Random random;
+  std::vector<Directions> pairs;
+  for (int i = 0; i < 10000; ++i) {
+    const Vec3f u = random.direction(random.log_uniform(1e-6F, 1e-3F));
+    const Vec3f v(-u.x, -u.y, random.log_uniform(1e-6F, 1e-3F));
+    pairs.push_back({u, v.normalized()});
+  }
+  return compare(
+      pairs,
+      [](auto u, auto v) {
+        using R = Real<decltype(u)>;
+        return glsl::EonFormula<R>().eon(u, v, R(1), Imath::Vec3<R>(1)).x;
+      },
+      [](auto u, auto v) {
+        using R = Real<decltype(u)>;
+        const R pi = glsl::Pi<R>;
+        const R scale = 1 / (R(1.5) - 2 / (3 * pi));
+        const auto sine = [](R cosine) { return std::sqrt(1 - cosine * cosine); };
+        const auto albedo = [&](R cosine) {
+          const R s = sine(cosine);
+          const R slope = s * (std::acos(cosine) - s * cosine);
+          return scale * (1 + (slope + R(2) / 3 * (s / cosine * (1 - s * s * s) - s)) / pi);
+        };
+        const R cp = (u.x * v.x + u.y * v.y) / std::sqrt((u.x * u.x + u.y * u.y) * (v.x * v.x + v.y * v.y));
+        const R single = scale * (1 + cp * sine(u.z) * sine(v.z));
+        const R mean = scale * (R(5) / 3 - 28 / (15 * pi));
+        return (single + (1 - albedo(u.z)) * (1 - albedo(v.z)) / (1 - mean)) / pi;
+      });
+}
+
 }  // namespace
 
 std::vector<HardCase> direction_cases() {
@@ -195,6 +228,8 @@ std::vector<HardCase> direction_cases() {
        0.05, 1e-5, 3e-7, smith_at_grazing},
       {"Oren and Nayar's tan(beta), to 1e-6 of grazing", "tan(acos(cos)) of both directions",
        "the tangent from components, 1 - angle by atan2", 0.05, 1e-5, 4e-7, oren_at_grazing},
+      {"EON across the normal, to 1e-6 of grazing", "1 + u.v - cu cv, and 1 less both albedos",
+       "both differences in terms that vanish with the cosines", 50000, 1e-3, 1.2e-4, eon_at_grazing},
   };
 }
 
