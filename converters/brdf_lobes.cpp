@@ -195,7 +195,24 @@ BrdfLobes eon(const Arguments& a) {
   return diffuse(kd * once / (Vec3d(1) - kd * (1 - once)));
 }
 
-constexpr std::array<BrdfRule, 23> BrdfRules = {{
+// The exponent is that of the geometric mean of both roughnesses.
+BrdfLobes ggx(const Arguments& a) {
+  Vec3d normal = a.colour({"F0"}, 0);
+  if (strength(normal) <= 0) {
+    const Vec3d n = a.colour({"nreal", "ior"}, 1.5);
+    const Vec3d k = a.colour({"nimag"}, 0);
+    const Vec3d less = n - Vec3d(1);
+    const Vec3d more = n + Vec3d(1);
+    normal = (less * less + k * k) / (more * more + k * k);
+  }
+  const double along = a.number({"alpha", "ax"}, 0.3);
+  const double less = 1 - a.number({"anisotropy"}, 0);
+  const double across = std::max(1e-4, a.number({"ay"}, along) * less);
+  return {Vec3d(0), a.colour({"ks"}, 1) * normal,
+          exponent_of(mean(along, across) * std::sqrt(2 / (1 + less * less)))};
+}
+
+constexpr std::array<BrdfRule, 24> BrdfRules = {{
     {"diffuse", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"minnaert", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"oren", "r", "", "", [](const Arguments& a) { return diffuse(a.colour({"r"}, 0.5)); }},
@@ -222,6 +239,7 @@ constexpr std::array<BrdfRule, 23> BrdfRules = {{
     {"granier", "kd", "ks F + kt (1 - F)^2", "m/nreal^2, or n if ks F is the larger", granier},
     {"poulin", "kd", "ks", "n", poulin},
     {"eon", "kd m/(1 - kd (1 - m)), m the albedo of white facets in single scattering", "", "", eon},
+    {"ggx", "", "ks F0, or ks F", "2/(ax ay) - 2", ggx},
 }};
 
 Vec3d in_unit(const Vec3d& v) {

@@ -41,6 +41,28 @@ const std::vector<PresetTable>& preset_tables() {
         {"silver", "torrance rough=0.2 nreal=0.177 nimag=3.638 ks=(1, 0.98, 0.94) kd=0"},
         {"copper", "torrance rough=0.2 nreal=0.617 nimag=2.63 ks=(1, 0.68, 0.54) kd=0"},
         {"iron", "torrance rough=0.2 nreal=2.485 nimag=3.433 ks=(1, 0.99, 0.97) kd=0"}}},
+      // Reflectances at normal incidence in linear sRGB: Akenine-Moller et al. 2018, "Real-Time Rendering",
+      // table 9.2.
+      {"Metals (GGX)",
+       {{"polished aluminium", "ggx alpha=0.02 F0=(0.913, 0.922, 0.924)"},
+        {"blasted aluminium", "ggx alpha=0.4 F0=(0.913, 0.922, 0.924)"},
+        {"brushed steel", "ggx alpha=0.25 anisotropy=0.8 F0=(0.562, 0.565, 0.578)"},
+        {"cast iron", "ggx alpha=0.5 F0=(0.562, 0.565, 0.578)"},
+        {"chromium plate", "ggx alpha=0.005 F0=(0.549, 0.556, 0.554)"},
+        {"polished copper", "ggx alpha=0.05 F0=(0.955, 0.638, 0.538)"},
+        {"satin brass", "ggx alpha=0.15 F0=(0.91, 0.778, 0.423)"},
+        {"satin gold", "ggx alpha=0.15 F0=(1, 0.782, 0.344)"},
+        {"satin nickel", "ggx alpha=0.2 F0=(0.66, 0.609, 0.526)"},
+        {"platinum", "ggx alpha=0.1 F0=(0.673, 0.637, 0.585)"},
+        {"polished silver", "ggx alpha=0.03 F0=(0.972, 0.96, 0.915)"},
+        {"titanium", "ggx alpha=0.25 F0=(0.542, 0.497, 0.449)"}}},
+      {"Matt surfaces (EON)",
+       {{"chalk", "eon rough=0.9 kd=0.9"},
+        {"charcoal", "eon rough=0.9 kd=0.03"},
+        {"concrete", "eon rough=0.9 kd=0.35"},
+        {"paper", "eon rough=0.2 kd=0.82"},
+        {"plaster", "eon rough=0.6 kd=0.8"},
+        {"terracotta", "eon rough=0.8 kd=(0.62, 0.25, 0.14)"}}},
       // Cloth with a pile has a broad lobe with Fresnel's reflectance over a dark base.
       {"Fabrics", {{"felt", "oren s=0.6 r=0.6"}, {"velvet", "ashikhmin ex=1 ey=1 Rs=0.2 Rd=0.2"}}}};
   return tables;

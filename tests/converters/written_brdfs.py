@@ -51,6 +51,8 @@ def rows():
     yield ("granier kd=0.1 ks=0.8 kt=0.5 nreal=1.5 m=45 n=30", 0.1, 0.8 * film + 0.5 * (1 - film) ** 2, 45 / 1.5 ** 2)
     yield "granier kd=0.1 ks=0.8 kt=0.02 nreal=1.5 m=45 n=30", 0.1, 0.8 * film + 0.02 * (1 - film) ** 2, 30
     yield "poulin kd=0.2 ks=0.3 n=30", 0.2, 0.3, 30
+    yield "ggx alpha=0.25 ay=0.5 nreal=1.5 ks=0.5", 0, 0.5 * fresnel(1.5), 2 / (0.25 * 0.5) - 2
+    yield "ggx ax=0.5 F0=(0.9, 0.6, 0.3)", 0, (0.9, 0.6, 0.3), 2 / 0.25 - 2
     once = (1 + (2 / 3 - 28 / (15 * pi)) * 0.75) / (1 + (1 / 2 - 2 / (3 * pi)) * 0.75)
     yield "eon rough=0.75 kd=0.5", 0.5 * once / (1 - 0.5 * (1 - once)), 0, 0
 

@@ -14,9 +14,13 @@ namespace {
 std::string instance(const grf::ModelInfo& model, const std::string& only, bool maximum) {
   std::string text(model.keyword);
   for (const grf::ParameterInfo& parameter : model.parameters) {
-    const bool chosen = only.empty() || parameter.name == only;
-    if (chosen)
+    if (!only.empty() && parameter.name != only) continue;
+    if (parameter.kind == grf::ParameterKind::Word) {
+      text += fmt::format(" {}={}", parameter.name,
+                          maximum ? parameter.choices.back() : parameter.choices.front());
+    } else {
       text += fmt::format(" {}={}", parameter.name, maximum ? parameter.maximum : parameter.minimum);
+    }
   }
   return text;
 }
