@@ -212,7 +212,24 @@ BrdfLobes ggx(const Arguments& a) {
           exponent_of(mean(along, across) * std::sqrt(2 / (1 + less * less)))};
 }
 
-constexpr std::array<BrdfRule, 24> BrdfRules = {{
+// The albedo's fit (MaterialX 1.39), with its mean over the hemisphere by the midpoint rule.
+BrdfLobes sheen(const Arguments& a) {
+  const double r = a.number({"rough"}, 0.3);
+  const double width = r * (0.0206607 + 1.58491 * r) / (0.0379424 + r * (1.32227 + r));
+  const double centre = r * (-0.193854 + r * (-1.14885 + r * (1.7932 - 0.95943 * r * r))) / (0.046391 + r);
+  const double base = r * (0.000654023 + (-0.0207818 + 0.119681 * r) * r) / (1.26264 + r * (-1.92021 + r));
+  constexpr int Count = 1024;
+  double albedo = 0;
+  for (int i = 0; i < Count; ++i) {
+    const double c = (i + 0.5) / Count;
+    const double place = (c - centre) / width;
+    const double value = std::exp(-place * place / 2) / (width * std::sqrt(2 * std::numbers::pi)) + base;
+    albedo += 2 * c * value / Count;
+  }
+  return diffuse(a.colour({"ks"}, 1) * albedo);
+}
+
+constexpr std::array<BrdfRule, 25> BrdfRules = {{
     {"diffuse", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"minnaert", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"oren", "r", "", "", [](const Arguments& a) { return diffuse(a.colour({"r"}, 0.5)); }},
@@ -240,6 +257,7 @@ constexpr std::array<BrdfRule, 24> BrdfRules = {{
     {"poulin", "kd", "ks", "n", poulin},
     {"eon", "kd m/(1 - kd (1 - m)), m the albedo of white facets in single scattering", "", "", eon},
     {"ggx", "", "ks F0, or ks F", "2/(ax ay) - 2", ggx},
+    {"sheen", "ks R, R the mean albedo of the fibres", "", "", sheen},
 }};
 
 Vec3d in_unit(const Vec3d& v) {

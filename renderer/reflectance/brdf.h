@@ -25,6 +25,7 @@
 #include "renderer/reflectance/phong.h"
 #include "renderer/reflectance/poulin.h"
 #include "renderer/reflectance/schlick.h"
+#include "renderer/reflectance/sheen.h"
 #include "renderer/reflectance/specular.h"
 #include "renderer/reflectance/strauss.h"
 #include "renderer/reflectance/torrance.h"
@@ -36,7 +37,7 @@ namespace reflectance {
 /// The analytic models: the only list that a new model is added to.
 using FormulaBrdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren,
                                  Torrance, Coupled, Ashikhmin, Schlick, Strauss, Neumann, BeardMaxwell,
-                                 Kajiya, Hanrahan, Westin, Granier, Poulin, He, Eon, Ggx>;
+                                 Kajiya, Hanrahan, Westin, Granier, Poulin, He, Eon, Ggx, Sheen>;
 
 template <class Variant, class... More>
 struct Extended;

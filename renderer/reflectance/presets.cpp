@@ -60,9 +60,9 @@ const std::vector<PresetTable>& preset_tables() {
        {{"chalk", "eon rough=0.9 kd=0.9"},
         {"charcoal", "eon rough=0.9 kd=0.03"},
         {"concrete", "eon rough=0.9 kd=0.35"},
+        {"fired clay", "eon rough=0.8 kd=(0.62, 0.25, 0.14)"},
         {"paper", "eon rough=0.2 kd=0.82"},
-        {"plaster", "eon rough=0.6 kd=0.8"},
-        {"terracotta", "eon rough=0.8 kd=(0.62, 0.25, 0.14)"}}},
+        {"plaster", "eon rough=0.6 kd=0.8"}}},
       // Cloth with a pile has a broad lobe with Fresnel's reflectance over a dark base.
       {"Fabrics", {{"felt", "oren s=0.6 r=0.6"}, {"velvet", "ashikhmin ex=1 ey=1 Rs=0.2 Rd=0.2"}}}};
   return tables;

@@ -85,6 +85,7 @@ const std::vector<WrittenBrdf>& written_brdfs() {
       {"poulin kd=0.2 ks=0.3 n=30", {0.2, 0.2, 0.2}, {0.3, 0.3, 0.3}, 30},
       {"ggx alpha=0.25 ay=0.5 nreal=1.5 ks=0.5", {0, 0, 0}, {0.02, 0.02, 0.02}, 14},
       {"ggx ax=0.5 F0=(0.9, 0.6, 0.3)", {0, 0, 0}, {0.9, 0.6, 0.3}, 6},
+      {"sheen rough=0.5 ks=0.8", {0.093845017, 0.093845017, 0.093845017}, {0, 0, 0}, 0},
       {"eon rough=0.75 kd=0.5", {0.46443527, 0.46443527, 0.46443527}, {0, 0, 0}, 0},
   };
   return rows;
@@ -291,6 +292,9 @@ PictureBounds bounds_of(const std::string& keyword) {
       {"coupled", {0.15, 0.115, 0.15, 0.08}},  // Fresnel's reflectance grows, MTL's mirror does not
       {"neumann", {0.13, 0.12, 0.15, 0.08}},   // the lobe loses what would leave below the surface
       {"beardmaxwell", {0.16, 0.13, 0.15, 0.08}}, {"granier", {0.12, 0.08, 0.15, 0.08}},
+      {"eon", {0.1, 0.08, 0.15, 0.085}},      // rough surfaces are flatter than Lambert
+      {"ggx", {0.22, 0.14, 0.21, 0.11}},      // light between facets is lost
+      {"sheen", {0.12, 0.08, 0.15, 0.08}},    // it shines towards grazing
       {"poulin", {0.14, 0.135, 0.21, 0.08}},  // cylinders shadow each other
       {"schlick", {0.48, 0.27, 0.33, 0.1}},   // as published, it reflects up to twice the light
   };

@@ -282,8 +282,28 @@ TEST(Eon, SaturatesColoursTheRougherItIs) {
     return value.x / value.y;
   };
   EXPECT_NEAR(ratio("0"), 2, 1e-5);
-  EXPECT_GT(ratio("0.5"), 2.05);
-  EXPECT_GT(ratio("1"), ratio("0.5"));
+  EXPECT_GT(ratio("0.5"), 2.01F);
+  EXPECT_GT(ratio("1"), ratio("0.5") + 0.01F);
+}
+
+TEST(Sheen, ReflectsItsAlbedo) {
+  for (const double rough : {0.2, 0.5, 1.0}) {
+    for (const double theta : {10.0, 60.0, 85.0}) {
+      const double cosine = std::cos(theta * M_PI / 180);
+      EXPECT_NEAR(albedo_with_specular("sheen rough=" + std::to_string(rough), theta),
+                  reflectance::glsl::SheenFormula<double>().sheen_albedo(cosine, rough), 1e-4)
+          << rough << " at " << theta;
+    }
+  }
+}
+
+// Zeltner, Burley and Chiang 2022: no view gets more than a white surface gives.
+TEST(Sheen, ShinesMostTowardsGrazing) {
+  reflectance::glsl::SheenFormula<double> sheen;
+  for (int i = 1; i <= 100; ++i) {
+    EXPECT_GT(sheen.sheen_albedo(0.02, 0.01 * i), sheen.sheen_albedo(0.9, 0.01 * i));
+    for (int k = 0; k <= 100; ++k) EXPECT_LT(sheen.sheen_albedo(0.01 * k, 0.01 * i), 1) << i << " " << k;
+  }
 }
 
 TEST(Torrance, IsAsPrinted) {

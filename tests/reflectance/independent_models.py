@@ -156,13 +156,31 @@ def ggx(p, u, v):
         reflectance = fresnel(beta, p.nreal, p.nimag)
     lobe_value = reflectance * facets
     if p.scattering == 'scaled':
-        lobe_value *= 1 + normal * ggx_missing(u.theta, alpha) / (1 - ggx_missing(u.theta, alpha))
+        fit = ggx_missing(u.theta, alpha)
+        missing = fit + 0.0025 * fit / (fit + 0.02)
+        lobe_value *= 1 + normal * missing / (1 - missing)
     if p.scattering == 'reciprocal':
         mean = 1 - alpha ** 2 / sum(a * alpha ** i for i, a in enumerate(MEAN_MISSING))
         all_angles = min(1, max(0, normal + (1 - normal) / 21 - dip / 126))
         leaves = all_angles ** 2 * mean / (1 - all_angles * (1 - mean))
         lobe_value += leaves * ggx_missing(u.theta, alpha) * ggx_missing(v.theta, alpha) / (pi * (1 - mean))
     return p.ks * lobe_value
+
+
+def sheen_albedo(c, y):
+    s = y * (0.0206607 + 1.58491 * y) / (0.0379424 + y * (1.32227 + y))
+    m = y * (-0.193854 + y * (-1.14885 + y * (1.7932 - 0.95943 * y * y))) / (0.046391 + y)
+    o = y * (0.000654023 + (-0.0207818 + 0.119681 * y) * y) / (1.26264 + y * (-1.92021 + y))
+    return exp(-0.5 * ((c - m) / s) ** 2) / (s * sqrt(2 * pi)) + o
+
+
+def sheen(p, u, v):
+    x, y = cos(u.theta), p.rough
+    a = (2.58126 * x + 0.813703 * y) * y / (1 + 0.310327 * x * x + 2.60994 * x * y)
+    b = sqrt(1 - x) * (y - 1) * y ** 3 / (0.0000254053 + 1.71228 * x - 1.71506 * x * y + 1.34174 * y * y)
+    turn = v.phi - u.phi
+    before = (a * sin(v.theta) * cos(turn) + b * cos(v.theta), a * sin(v.theta) * sin(turn), cos(v.theta))
+    return p.ks * sheen_albedo(x, y) * a ** 2 / (pi * sum(part ** 2 for part in before) ** 2)
 
 
 def strauss(p, u, v):
@@ -314,7 +332,7 @@ def granier(p, u, v):
 COLOURS = ('red', 'green', 'blue')
 FUNCTIONS = {function.__name__: function for function in (
     diffuse, phong, blinn, lewis, ward, minnaert, lafortune, oren, torrance, coupled, ashikhmin, schlick, strauss, neumann,
-    beardmaxwell, kajiya, hanrahan, westin, granier, poulin, he, eon, ggx)}
+    beardmaxwell, kajiya, hanrahan, westin, granier, poulin, he, eon, ggx, sheen)}
 FUNCTIONS['specular'] = black
 MIRRORS = {'specular': lambda p, u: p.ks, 'coupled': coupled_mirror, 'schlick': schlick_mirror, 'he': he_mirror,
            'westin': westin_mirror}
@@ -342,6 +360,7 @@ DEFAULTS = {
     'poulin': 'd=2 h=0 n=50 ks=0.5 kd=0.5',
     'he': 'sigma=0.2 tau=2 lambda=(645,525,445) nreal=0 nimag=0 ks=1 kd=0',
     'eon': 'rough=0.5 kd=0.5',
+    'sheen': 'rough=0.3 ks=1',
     'ggx': 'alpha=0.3 ay=@alpha anisotropy=0 rotation=0 nreal=1.5 nimag=0 F0=0 F82=1 ks=1 scattering=reciprocal',
 }
 ALIASES = {'torrance': {'m': 'rough'}, 'ashikhmin': {'nu': 'ex', 'nv': 'ey', 'ks': 'Rs', 'kd': 'Rd'}, 'coupled': {'Ro': 'R0'},
