@@ -27,11 +27,12 @@ real ggx_stretched(vec3 u, vec3 rough) {
 // Returns the distribution of normals at h, which need not have unit length. It is turned, and not u and v,
 // for their sum is the more exact the nearer they are to opposite.
 real ggx_distribution(vec3 h, vec3 rough) {
-  real length2 = h.x * h.x + h.y * h.y + h.z * h.z;
-  real x = h.x / rough.x;
-  real y = h.y / rough.y;
-  real slope = (x * x + y * y + h.z * h.z) / length2;
-  return 1 / (PI * rough.x * rough.y * slope * slope);
+  real area = rough.x * rough.y;
+  real x = h.x * rough.y;
+  real y = h.y * rough.x;
+  real z = h.z * area;
+  real slope = (x * x + y * y + z * z) / (h.x * h.x + h.y * h.y + h.z * h.z);
+  return area * area * area / (PI * slope * slope);
 }
 
 // Returns D G/(4 cu cv). G/(4 cu cv) has no 0/0.
@@ -45,13 +46,14 @@ real ggx_facets(vec3 u, vec3 v, vec3 rough, real rotation) {
 // to the quadrature of scripts/fit_ggx_albedo, which makes these numbers. It is at most 0.005 from it. For
 // anisotropic roughness, alpha is the quadratic mean.
 real ggx_missing(real c, real alpha) {
-  real s = alpha / (alpha + c);
+  real scale = 1 / (alpha + c);
+  real s = alpha * scale;
   real a0 = alpha * (real(2.378f) + alpha * (real(49.321f) + alpha * real(8.092f)));
   real a1 = real(10.432f) + alpha * (real(-24.078f) + alpha * (real(-150.165f) + alpha * real(-112.998f)));
   real a2 = real(-29.369f) + alpha * (real(60.822f) + alpha * (real(186.681f) + alpha * real(315.358f)));
   real a3 = real(28.639f) + alpha * (real(-56.561f) + alpha * (real(-108.613f) + alpha * real(-338.756f)));
   real a4 = real(-9.438f) + alpha * (real(16.757f) + alpha * (real(27.192f) + alpha * real(128.04f)));
-  real rest = c / (alpha + c);
+  real rest = c * scale;
   real smooth_part = rest * (a0 + s * (a1 + s * (a2 + s * (a3 + s * a4))));
   real grazing = real(0.084f) * alpha * (sqrt(rest) - rest);
   return max(real(0), s * s * (smooth_part + grazing));
@@ -127,18 +129,27 @@ vec3 ggx_further(vec3 reflectance, real missing) {
   return reflectance * reflectance * (1 - missing) / (vec3(1) - reflectance * missing);
 }
 
+// Returns the factor of the reciprocal lobe of what facets scatter to each other.
+vec3 ggx_further_factor(real alpha, vec3 n, vec3 k, vec3 f0, vec3 f82) {
+  real missing = ggx_mean_missing(alpha);
+  return ggx_further(ggx_mean_reflectance(n, k, f0, f82), missing) / (PI * missing);
+}
+
+// Evaluates the BRDF from the roughness along both axes and its quadratic mean, the reflectance at normal
+// incidence, and the factor above, which depend on the parameters alone.
+vec3 ggx_prepared(vec3 u, vec3 v, vec3 rough, real alpha, real rotation, vec3 n, vec3 k, vec3 f0, vec3 f82,
+                  vec3 ks, int scattering, vec3 normal, vec3 further) {
+  if (below_horizon(u, v)) return vec3(0);
+  vec3 lobe = ggx_reflectance(u, v, n, k, f0, f82) * ggx_facets(u, v, rough, rotation);
+  if (scattering == 1) lobe = lobe * (vec3(1) + normal * ggx_several_over_one(u.z, alpha));
+  if (scattering == 0) lobe = lobe + further * (ggx_missing(u.z, alpha) * ggx_missing(v.z, alpha));
+  return bounded(ks * lobe);
+}
+
 vec3 ggx(vec3 u, vec3 v, real along, real across, real anisotropy, real rotation, vec3 n, vec3 k, vec3 f0,
          vec3 f82, vec3 ks, int scattering) {
-  if (below_horizon(u, v)) return vec3(0);
   vec3 rough = ggx_roughness(along, across, anisotropy);
   real alpha = sqrt((rough.x * rough.x + rough.y * rough.y) / 2);
-  vec3 lobe = ggx_reflectance(u, v, n, k, f0, f82) * ggx_facets(u, v, rough, rotation);
-  if (scattering == 1) {
-    lobe = lobe * (vec3(1) + ggx_at_normal(n, k, f0) * ggx_several_over_one(u.z, alpha));
-  } else if (scattering == 0) {
-    real mean_missing = ggx_mean_missing(alpha);
-    vec3 further = ggx_further(ggx_mean_reflectance(n, k, f0, f82), mean_missing);
-    lobe = lobe + further * (ggx_missing(u.z, alpha) * ggx_missing(v.z, alpha) / (PI * mean_missing));
-  }
-  return bounded(ks * lobe);
+  return ggx_prepared(u, v, rough, alpha, rotation, n, k, f0, f82, ks, scattering, ggx_at_normal(n, k, f0),
+                      ggx_further_factor(alpha, n, k, f0, f82));
 }

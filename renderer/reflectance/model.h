@@ -6,6 +6,7 @@
 //     static ModelTable<Ward> table();      // parameter names and ranges, and the model's description
 //     template <class Real> Vec3<Real> evaluate(u, v) const;
 //     Rgb specular_weight(u) const;         // only if there is a delta (ideal specular) part
+//     void prepare();                       // only if something is worth computing once from the parameters
 //     std::string validate() const;         // only if the ranges do not suffice to validate the values
 //     float albedo_estimate(u) const;       // mean albedo without the delta part, for choosing lobes
 //     std::optional<DirectionSample> sample(u, xi) const;   // importance sampling in closed form
@@ -167,6 +168,7 @@ Model make(const grf::Model& data) {
     if (argument == nullptr) continue;
     visit_field(parameter, [&](auto field) { assign(model.*field, argument->value, parameter.info); });
   }
+  if constexpr (requires { model.prepare(); }) model.prepare();
   return model;
 }
 

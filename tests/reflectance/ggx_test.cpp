@@ -27,6 +27,7 @@ Ggx white(float alpha, int scattering) {
   ggx.alpha = ggx.ay = alpha;
   ggx.f0 = Rgb(1);
   ggx.scattering = scattering;
+  ggx.prepare();
   return ggx;
 }
 
