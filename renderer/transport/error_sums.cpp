@@ -25,6 +25,9 @@ constexpr double OneHalfBright = 0.7;
 constexpr double OutlierContrast = 2;
 /// The agreement above which an outlier may be an object that every sample hits.
 constexpr double SteadyAgreement = 0.9;
+/// The largest radius of a small object, in pixels, and how bright other pixels are at most beside it.
+constexpr int SmallObject = 2;
+constexpr double BesideSmallObject = 0.5;
 
 /// The least radiance on the bright side of an edge, as a fraction of the brightest neighbour's.
 constexpr double BrightSide = 0.7;
@@ -246,6 +249,21 @@ std::optional<double> mean_along_edge(const PixelMoments& pixels, const PixelVal
   return most > 1 ? std::optional(sum / most) : std::nullopt;
 }
 
+/// Returns true if no pixel farther away than `SmallObject` is nearly as bright. Then the bright pixels are
+/// an object: bright samples that occur by chance would be as frequent elsewhere.
+bool is_small_object(const PixelMoments& pixels, const PixelValue& value) {
+  for (int y = -ErrorNeighbours; y <= ErrorNeighbours; ++y) {
+    for (int x = -ErrorNeighbours; x <= ErrorNeighbours; ++x) {
+      const Imath::V2i other = value.pixel + Imath::V2i(x, y);
+      const bool is_near = std::max(std::abs(x), std::abs(y)) <= SmallObject;
+      if (is_near || !pixels.contains(other.x, other.y)) continue;
+      const double beside = pixels.means[pixels.index_of(other.x, other.y)][value.channel];
+      if (beside > BesideSmallObject * value.mean) return false;
+    }
+  }
+  return true;
+}
+
 /// Returns the squared relative error of a value; empty if it is added to the outliers or touched pixels.
 std::optional<double> add_value(const PixelMoments& pixels, const PixelValue& value,
                                 const Surroundings& around, ErrorSums& sums) {
@@ -259,7 +277,10 @@ std::optional<double> add_value(const PixelMoments& pixels, const PixelValue& va
     if (around.darkest < std::sqrt(RelmseFloor)) ++sums.outliers.on_black;
     const double agreement = 1 - variance / (excess * excess);
     sums.outliers.agreement += agreement;
-    if (agreement > SteadyAgreement) ++sums.outliers.steady;
+    if (agreement > SteadyAgreement) {
+      ++sums.outliers.steady;
+      sums.outliers.contrasts += excess * excess / (mean * mean + RelmseFloor);
+    }
   }
   sums.touched.unseen += unseen_error(around, mean, pixels.samples);
   add_untouched(around, mean, pixels.samples, sums.untouched);
@@ -276,7 +297,7 @@ std::optional<double> add_value(const PixelMoments& pixels, const PixelValue& va
   const double brighter = mean * mean / (around.darkest * around.darkest + RelmseFloor);
   const bool is_touched =
       visible_part(around, value) > 0.5 && brighter > TouchedContrast && mean <= around.brightest;
-  if (!is_touched) return error;
+  if (!is_touched) return is_small_object(pixels, value) ? own_error : error;
   if (const auto along = mean_along_edge(pixels, value, BrightSide * around.brightest)) {
     return variance / (*along * *along + RelmseFloor);
   }
@@ -305,6 +326,7 @@ ErrorSums& ErrorSums::add(const ErrorSums& other, double factor) {
   outliers.count += factor * other.outliers.count;
   outliers.agreement += factor * other.outliers.agreement;
   outliers.steady += factor * other.outliers.steady;
+  outliers.contrasts += factor * other.outliers.contrasts;
   outliers.on_black += factor * other.outliers.on_black;
   outliers.own += factor * other.outliers.own;
   outliers.neighbours += factor * other.outliers.neighbours;

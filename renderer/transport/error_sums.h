@@ -48,6 +48,7 @@ struct ErrorSums {
     double count = 0;
     double agreement = 0;   ///< from 0, only one half is bright, to 1; summed over values
     double steady = 0;      ///< how many agree so well that every sample may hit them
+    double contrasts = 0;   ///< of those: squared differences from their neighbours, relative
     double on_black = 0;    ///< how many have a neighbour darker than the floor
     double own = 0;         ///< the squared error, if the pixels are as bright as they seem
     double neighbours = 0;  ///< the same, if they are as bright as their neighbours
@@ -99,8 +100,8 @@ constexpr int ErrorNeighbours = 7;
 ///
 /// This fails for a pixel at an edge of which only one half is bright: few samples hit the bright side. If
 /// the edge is nearly parallel to the rows or columns of pixels, it covers as much of the adjacent pixels,
-/// and their mean is t. Other such pixels, other edge pixels, and outliers are summed separately; see
-/// `error_estimate_of`.
+/// and their mean is t. If nothing else around is bright, it belongs to a small object, and t is its own
+/// value. Other such pixels, other edge pixels, and outliers are summed separately; see `error_estimate_of`.
 ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted);
 
 /// Returns the estimated squared error of one pixel, relative as in relMSE, the mean over its channels: d^2 /

@@ -1,7 +1,10 @@
 // A short version, with a few seeds, of error_statistics_test.
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -63,6 +66,27 @@ TEST(ErrorEstimate, HoldsWithLampsInView) {
     EXPECT_LT(study.mean_quotient(), 1.4);
     EXPECT_LT(study.mean_width(), bright.width);
   }
+}
+
+// Half of the samples hit each of three pixels. Divided by their dark neighbours, their error would be stated
+// as four times as large.
+TEST(ErrorEstimate, DoesNotTakeASmallLampForNoise) {
+  transport::PixelMoments pixels{
+      {0, 0, 24, 24}, 4, std::vector<Imath::V3d>(576), std::vector<Imath::V3d>(576)};
+  const auto set = [&](int x, int y, double mean, double deviation) {
+    pixels.means[pixels.index_of(x, y)] = Imath::V3d(mean);
+    pixels.variances[pixels.index_of(x, y)] = Imath::V3d(deviation * deviation);
+  };
+  for (const auto& [x, y] : {std::pair(11, 11), std::pair(12, 11), std::pair(11, 12)}) set(x, y, 10, 10);
+  const auto as_a_lamp = transport::error_estimate_of(transport::error_sums_of(pixels, pixels.bounds));
+  EXPECT_LE(as_a_lamp->error, std::sqrt(3 * 1.0 / 576) * 1.05);
+  EXPECT_GT(as_a_lamp->error, std::sqrt(0.1 / 576));
+  // The same pixels among others that are as bright by chance are noise.
+  for (int y = 1; y < 24; y += 4) {
+    for (int x = 1; x < 24; x += 4) set(x, y, 10, 10);
+  }
+  const auto as_noise = transport::error_sums_of(pixels, pixels.bounds);
+  EXPECT_GT(as_noise.errors, 20);
 }
 
 // The lamps are thinner than a pixel, along a row and along a column. With all eight neighbours as the prior

@@ -40,6 +40,8 @@ std::vector<test::ErrorCase> chosen_cases() {
   cases.push_back(BrightScene(128).lamp(64, 64, 100, 0.6, 0.3, 5).with("a line on black", 32));
   // Both long edges cover 1 % of a row of pixels.
   cases.push_back(BrightScene(96).lamp(48, 48, 60, 20.02, 0, 6.4).with("hardly touched rows", 32, 0.012F));
+  // Bright by chance would be as frequent elsewhere.
+  cases.push_back(BrightScene(64).lamp(55.2, 11.9, 2.6, 2, 0.7, 30).with("a lamp of six pixels", 4));
   cases.push_back(BrightScene(96).lamps(6, 16, 12, 0.8, 0.5, 20).wall(diffuse).with("dots", 32));
   cases.push_back(BrightScene(96).lamps(5, 17.7, 16, 3.5, 0, 8).with("corners at tile borders", 16));
   cases.push_back(BrightScene(64).lamps(3, 17.7, 16, 3.5, 0, 8).wall(diffuse).with("corners on a wall", 64));
