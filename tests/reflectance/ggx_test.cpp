@@ -157,6 +157,7 @@ TEST(Ggx, ReflectsAsMuchAsARandomWalkOverAMetal) {
     copper.f0 = Rgb(0);
     copper.nreal = Rgb(static_cast<float>(Real));
     copper.nimag = Rgb(static_cast<float>(Imaginary));
+    copper.prepare();
     for (const double angle : {1.0, 45.0, 75.0}) {
       const V3d u(test::direction(angle, 25));
       double sum = 0;
@@ -200,6 +201,7 @@ TEST(Ggx, KnowsTheMeanReflectanceOfMetals) {
 TEST(Ggx, IsTurnedByItsRotation) {
   Ggx along = white(0.1F, 0);
   along.ay = 0.4F;
+  along.prepare();
   Ggx turned = along;
   turned.rotation = 0.7F;
   const double degrees = 0.7 * 180 / Pi;
