@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <initializer_list>
 #include <limits>
 #include <numbers>
@@ -195,6 +196,28 @@ BrdfLobes eon(const Arguments& a) {
   return diffuse(kd * once / (Vec3d(1) - kd * (1 - once)));
 }
 
+/// The reflectance at normal incidence of a film over a base, for one wavelength (Airy's sum).
+double film_reflectance(double thickness, double film, const std::complex<double>& base, double wavelength) {
+  const double front = (1 - film) / (1 + film);
+  const std::complex<double> back = (film - base) / (film + base);
+  const std::complex<double> delayed =
+      back * std::polar(1.0, 4 * std::numbers::pi * film * thickness / wavelength);
+  return std::norm((front + delayed) / (1.0 + front * delayed));
+}
+
+BrdfLobes thinfilm(const Arguments& a) {
+  const Vec3d n = a.colour({"nreal", "ior"}, 1.5);
+  const Vec3d k = a.colour({"nimag"}, 0);
+  const Vec3d wavelengths(610, 550, 465);
+  Vec3d normal;
+  for (int i = 0; i < 3; ++i) {
+    normal[i] = film_reflectance(a.number({"thickness", "d"}, 300), a.number({"film"}, 1.33), {n[i], k[i]},
+                                 wavelengths[i]);
+  }
+  const double along = a.number({"alpha", "ax"}, 0.1);
+  return {Vec3d(0), a.colour({"ks"}, 1) * normal, 2 / (along * a.number({"ay"}, along)) - 2};
+}
+
 // The exponent is that of the geometric mean of both roughnesses.
 BrdfLobes ggx(const Arguments& a) {
   Vec3d normal = a.colour({"F0"}, 0);
@@ -229,7 +252,7 @@ BrdfLobes sheen(const Arguments& a) {
   return diffuse(a.colour({"ks"}, 1) * albedo);
 }
 
-constexpr std::array<BrdfRule, 25> BrdfRules = {{
+constexpr std::array<BrdfRule, 26> BrdfRules = {{
     {"diffuse", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"minnaert", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"oren", "r", "", "", [](const Arguments& a) { return diffuse(a.colour({"r"}, 0.5)); }},
@@ -257,6 +280,7 @@ constexpr std::array<BrdfRule, 25> BrdfRules = {{
     {"poulin", "kd", "ks", "n", poulin},
     {"eon", "kd m/(1 - kd (1 - m)), m the albedo of white facets in single scattering", "", "", eon},
     {"ggx", "", "ks F0, or ks F", "2/(ax ay) - 2", ggx},
+    {"thinfilm", "", "ks F, F at 610, 550 and 465 nm", "2/(ax ay) - 2", thinfilm},
     {"sheen", "ks R, R the mean albedo of the fibres", "", "", sheen},
 }};
 

@@ -28,6 +28,7 @@
 #include "renderer/reflectance/sheen.h"
 #include "renderer/reflectance/specular.h"
 #include "renderer/reflectance/strauss.h"
+#include "renderer/reflectance/thinfilm.h"
 #include "renderer/reflectance/torrance.h"
 #include "renderer/reflectance/ward.h"
 #include "renderer/reflectance/westin.h"
@@ -37,7 +38,7 @@ namespace reflectance {
 /// The analytic models: the only list that a new model is added to.
 using FormulaBrdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren,
                                  Torrance, Coupled, Ashikhmin, Schlick, Strauss, Neumann, BeardMaxwell,
-                                 Kajiya, Hanrahan, Westin, Granier, Poulin, He, Eon, Ggx, Sheen>;
+                                 Kajiya, Hanrahan, Westin, Granier, Poulin, He, Eon, Ggx, Sheen, ThinFilm>;
 
 template <class Variant, class... More>
 struct Extended;

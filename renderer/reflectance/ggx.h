@@ -1,12 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
 #include <type_traits>
 
-#include "renderer/reflectance/glsl_functions.h"
-#include "renderer/reflectance/model.h"
+#include "renderer/reflectance/ggx_facets.h"
 
 namespace reflectance::glsl {
 
@@ -17,6 +13,7 @@ struct GgxFormula {
 #include "renderer/reflectance/common.glsl"
 #include "renderer/reflectance/fresnel.glsl"
 #include "renderer/reflectance/ggx.glsl"
+#include "renderer/reflectance/microfacets.glsl"
 };
 
 }  // namespace reflectance::glsl
@@ -25,7 +22,7 @@ namespace reflectance {
 
 /// Rough metals and dielectrics: microfacets of Trowbridge and Reitz's distribution, with Fresnel, Smith's
 /// height-correlated masking-shadowing, and the light that facets scatter to each other.
-struct Ggx {
+struct Ggx : GgxFacets<Ggx> {
   float alpha = 0.3F;
   float ay = 0.3F;
   float anisotropy = 0;
@@ -89,13 +86,8 @@ E: the albedo of white facets for a view, m: its mean;  k = Fm^2 m/(1 - Fm (1-m)
 
   /// Computes what depends on the parameters alone, after they were set.
   void prepare() {
-    rough_ = Formula().ggx_roughness(alpha, ay, anisotropy);
-    mean_rough_ = std::sqrt((rough_.x * rough_.x + rough_.y * rough_.y) / 2);
-    at_normal_ = Formula().ggx_at_normal(nreal, nimag, f0);
-    further_ = Formula().ggx_further_factor(mean_rough_, nreal, nimag, f0, f82);
-    const float width = mean_rough_ / std::max(1e-3F, 1 - 2 * mean_rough_);
-    width2_ = width * width;
-    width_logarithm_ = std::log1p(1 / width2_);
+    prepare_facets(Formula().ggx_roughness(alpha, ay, anisotropy), Formula().ggx_at_normal(nreal, nimag, f0),
+                   Formula().ggx_mean_reflectance(nreal, nimag, f0, f82));
   }
   Ggx() { prepare(); }
 
@@ -113,108 +105,13 @@ E: the albedo of white facets for a view, m: its mean;  k = Fm^2 m/(1 - Fm (1-m)
   }
 
   bool is_anisotropic() const { return alpha != ay || anisotropy != 0; }
-  bool has_diffuse_part() const { return false; }
-  bool has_glossy_part() const { return !is_black(ks); }
 
-  float albedo_estimate(const Vec3f& u) const {
-    const Albedos albedos = albedos_of(u);
-    return mean(ks) * (albedos.lobe + albedos.further);
-  }
-
-  float pdf(const Vec3f& u, const Vec3f& v) const {
-    if (u.z <= 0 || v.z <= 0) return 0;
-    const float further = further_probability(u);
-    return further * further_pdf(v) + (1 - further) * lobe_pdf(u, v);
-  }
-
-  std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
-    if (u.z <= 0) return std::nullopt;
-    const float further = further_probability(u);
-    const Vec3f v = xi.choice < further ? further_direction(xi.direction) : lobe_direction(u, xi.direction);
-    if (!(v.z > 0)) return std::nullopt;
-    const float of_lobe = lobe_pdf(u, v);
-    const float density = further * further_pdf(v) + (1 - further) * of_lobe;
-    if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
-    const Rgb weight = lobe_weight(u, v) * (of_lobe / density) + further_value(u, v) * (v.z / density);
-    return DirectionSample{v, weight, density};
+  Rgb reflectance(const Vec3f& u, const Vec3f& v) const {
+    return Formula().ggx_reflectance(u, v, nreal, nimag, f0, f82);
   }
 
  private:
   using Formula = glsl::GgxFormula<float>;
-  enum Scattering { Reciprocal, Scaled, Single };
-
-  /// Estimates of the albedos of the lobe and of what facets scatter to each other, without `ks`.
-  struct Albedos {
-    float lobe = 0;
-    float further = 0;
-  };
-  Albedos albedos_of(const Vec3f& u) const {
-    const float normal = mean(at_normal_);
-    const float missing = Formula().ggx_missing(u.z, mean_rough_);
-    return {Formula().schlick_fresnel(normal, 1 - u.z) * (1 - missing),
-            scattering == Reciprocal ? normal * missing : 0};
-  }
-  float further_probability(const Vec3f& u) const {
-    const Albedos albedos = albedos_of(u);
-    return albedos.further > 0 ? albedos.further / (albedos.further + albedos.lobe) : 0;
-  }
-
-  // Samples visible normals by spherical caps (Dupuy and Benyoub 2023), bounded so that fewer reflections are
-  // below the horizon (Tokuyoshi and Eto 2024).
-  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
-    const Vec3f turned = Formula().ggx_turned(u, rotation);
-    const Vec3f view = Vec3f(rough_.x * turned.x, rough_.y * turned.y, turned.z).normalized();
-    const float lowest = -visible_part(turned) * view.z;
-    const float z = (1 - xi.x) * (1 - lowest) + lowest;
-    const float radius = std::sqrt(std::max(0.0F, (1 - z) * (1 + z)));
-    const Vec3f cap = from_angles(z, radius, 2 * Pi * xi.y) + view;
-    const Vec3f h = Vec3f(rough_.x * cap.x, rough_.y * cap.y, cap.z).normalized();
-    return Formula().ggx_turned(reflected(turned, h), -rotation);
-  }
-  float lobe_pdf(const Vec3f& u, const Vec3f& v) const {
-    const Vec3f turned = Formula().ggx_turned(u, rotation);
-    const float projected = visible_part(turned) * turned.z + Formula().ggx_stretched(turned, rough_);
-    return Formula().ggx_distribution(Formula().ggx_turned(u + v, rotation), rough_) / (2 * projected);
-  }
-  /// Returns the lobe's value times cos(theta_v), divided by its pdf: the distribution cancels.
-  Rgb lobe_weight(const Vec3f& u, const Vec3f& v) const {
-    const Vec3f turned = Formula().ggx_turned(u, rotation);
-    const float stretched = Formula().ggx_stretched(turned, rough_);
-    const float other = Formula().ggx_stretched(Formula().ggx_turned(v, rotation), rough_);
-    const float ratio = v.z * (visible_part(turned) * u.z + stretched) / (v.z * stretched + u.z * other);
-    const Rgb weight = ks * Formula().ggx_reflectance(u, v, nreal, nimag, f0, f82) * ratio;
-    if (scattering != Scaled) return weight;
-    return weight * (Rgb(1) + at_normal_ * Formula().ggx_several_over_one(u.z, mean_rough_));
-  }
-  /// The part of the cap below the view's horizon from which reflections can leave the surface.
-  float visible_part(const Vec3f& u) const {
-    const float least = std::min({rough_.x, rough_.y, 1.0F});
-    const float reach = 1 + std::sqrt(u.x * u.x + u.y * u.y);
-    const float square = least * least;
-    return (1 - square) * reach * reach / (reach * reach + square * u.z * u.z);
-  }
-
-  /// The value of what facets scatter to each other.
-  Rgb further_value(const Vec3f& u, const Vec3f& v) const {
-    if (scattering != Reciprocal) return Rgb(0);
-    return ks * further_ *
-           (Formula().ggx_missing(u.z, mean_rough_) * Formula().ggx_missing(v.z, mean_rough_));
-  }
-  // Smooth facets scatter to each other near grazing only, at angles of about their slope, and rough ones at
-  // all angles: the pdf of the cosine c is proportional to c/(c^2 + width^2).
-  Vec3f further_direction(const Vec2f& xi) const {
-    const float c = std::min(1.0F, std::sqrt(width2_ * std::expm1(xi.x * width_logarithm_)));
-    return from_angles(c, std::sqrt((1 - c) * (1 + c)), 2 * Pi * xi.y);
-  }
-  float further_pdf(const Vec3f& v) const { return v.z / (Pi * (v.z * v.z + width2_) * width_logarithm_); }
-
-  // These depend on the parameters alone.
-  Rgb rough_;                  ///< roughness along x and y
-  float mean_rough_ = 0;       ///< their quadratic mean
-  Rgb at_normal_;              ///< reflectance at normal incidence
-  Rgb further_;                ///< factor of the reciprocal lobe
-  float width2_ = 0;           ///< squared width of the further lobe's pdf
-  float width_logarithm_ = 0;  ///< log(1 + 1/width^2)
 };
 
 }  // namespace reflectance

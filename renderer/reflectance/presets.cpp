@@ -56,6 +56,32 @@ const std::vector<PresetTable>& preset_tables() {
         {"platinum", "ggx alpha=0.1 F0=(0.673, 0.637, 0.585)"},
         {"polished silver", "ggx alpha=0.03 F0=(0.972, 0.96, 0.915)"},
         {"titanium", "ggx alpha=0.25 F0=(0.542, 0.497, 0.449)"}}},
+      // Oxides on titanium and iron (Diamanti, Del Curto and Pedeferri 2008), a film of soap or oil, and a
+      // coat of magnesium fluoride on glass.
+      {"Thin films",
+       {{"titanium, anodised bronze",
+         "thinfilm alpha=0.15 thickness=26 film=2.4 nreal=(2.74, 2.54, 2.2) "
+         "nimag=(2.96, 2.9, 2.6)"},
+        {"titanium, anodised blue",
+         "thinfilm alpha=0.15 thickness=52 film=2.4 nreal=(2.74, 2.54, 2.2) "
+         "nimag=(2.96, 2.9, 2.6)"},
+        {"titanium, anodised gold",
+         "thinfilm alpha=0.15 thickness=114 film=2.4 nreal=(2.74, 2.54, 2.2) "
+         "nimag=(2.96, 2.9, 2.6)"},
+        {"titanium, anodised magenta",
+         "thinfilm alpha=0.15 thickness=142 film=2.4 nreal=(2.74, 2.54, 2.2) "
+         "nimag=(2.96, 2.9, 2.6)"},
+        {"steel, tempered straw",
+         "thinfilm alpha=0.1 thickness=24 film=2.4 nreal=(2.9, 2.9, 2.6) "
+         "nimag=(3, 2.95, 2.6)"},
+        {"steel, tempered blue",
+         "thinfilm alpha=0.1 thickness=54 film=2.4 nreal=(2.9, 2.9, 2.6) "
+         "nimag=(3, 2.95, 2.6)"},
+        {"soap bubble", "thinfilm alpha=0.001 thickness=380 film=1.33 nreal=1"},
+        {"oil on water", "thinfilm alpha=0.01 thickness=300 film=1.47 nreal=1.33"},
+        {"pearl",
+         "0.9 diffuse kd=(0.8, 0.77, 0.74) + 1 thinfilm alpha=0.2 thickness=420 film=1.56 nreal=1.68"},
+        {"coated lens", "thinfilm alpha=0.001 thickness=100 film=1.38 nreal=1.52"}}},
       {"Matt surfaces (EON)",
        {{"chalk", "eon rough=0.9 kd=0.9"},
         {"charcoal", "eon rough=0.9 kd=0.03"},

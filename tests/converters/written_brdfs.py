@@ -3,11 +3,19 @@
 
 No line of it is shared with the converters. F is Fresnel's reflectance at the normal (Hecht, "Optics", 4.6), and the
 light that a layer of `hanrahan` scatters once is integrated by numbers (Hanrahan and Krueger 1993, section 3.1)."""
-from math import exp, inf, pi, sqrt
+from math import cos, exp, inf, pi, sin, sqrt
 
 
 def fresnel(n, k=0):
     return abs((complex(n, k) - 1) / (complex(n, k) + 1)) ** 2
+
+
+def film_reflectance(thickness, film, base, wavelength):
+    """At the normal, by the characteristic matrix of the film (Born and Wolf, "Principles of Optics", 1.6)."""
+    delay = 2 * pi / wavelength * film * thickness
+    first = cos(delay) - 1j * sin(delay) * base / film
+    second = -1j * film * sin(delay) + cos(delay) * base
+    return abs((first - second) / (first + second)) ** 2
 
 
 def scattered_once(n, albedo, g, depth, steps=200000):
@@ -53,6 +61,9 @@ def rows():
     yield "poulin kd=0.2 ks=0.3 n=30", 0.2, 0.3, 30
     yield "ggx alpha=0.25 ay=0.5 nreal=1.5 ks=0.5", 0, 0.5 * fresnel(1.5), 2 / (0.25 * 0.5) - 2
     yield "ggx ax=0.5 F0=(0.9, 0.6, 0.3)", 0, (0.9, 0.6, 0.3), 2 / 0.25 - 2
+    yield ("thinfilm alpha=0.25 ay=0.5 thickness=250 film=1.5 nreal=2 nimag=3 ks=0.8", 0,
+           tuple(0.8 * film_reflectance(250, 1.5, 2 + 3j, wavelength) for wavelength in (610, 550, 465)),
+           2 / (0.25 * 0.5) - 2)
     width = 0.5 * (0.0206607 + 1.58491 * 0.5) / (0.0379424 + 0.5 * (1.32227 + 0.5))
     centre = 0.5 * (-0.193854 + 0.5 * (-1.14885 + 0.5 * (1.7932 - 0.95943 * 0.25))) / (0.046391 + 0.5)
     base = 0.5 * (0.000654023 + (-0.0207818 + 0.119681 * 0.5) * 0.5) / (1.26264 + 0.5 * (-1.92021 + 0.5))

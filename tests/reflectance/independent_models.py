@@ -5,7 +5,9 @@ equations, series term by term, roots by bisection, normalisations by quadrature
 circles. Each model is a function of its parameters (one colour channel) and of the directions u, to the eye, and v,
 to the light; its value is in 1/sr, without the Dirac part, which is in MIRRORS.
 """
+import cmath
 import functools
+import operator
 import struct
 from math import acos, asin, atan2, cos, erfc, exp, hypot, pi, sin, sqrt, tan
 
@@ -165,6 +167,50 @@ def ggx(p, u, v):
         leaves = all_angles ** 2 * mean / (1 - all_angles * (1 - mean))
         lobe_value += leaves * ggx_missing(u.theta, alpha) * ggx_missing(v.theta, alpha) / (pi * (1 - mean))
     return p.ks * lobe_value
+
+
+def rgb_of_wavelength(wavelength):
+    """Linear sRGB of the CIE 1931 observer by Wyman, Sloan and Shirley (2013)."""
+    def part(factor, centre, below, above):
+        return factor * exp(-((wavelength - centre) / (below if wavelength < centre else above)) ** 2 / 2)
+    x = part(1.056, 599.8, 37.9, 31) + part(0.362, 442, 16, 26.7) + part(-0.065, 501.1, 20.4, 26.2)
+    y = part(0.821, 568.8, 46.9, 40.5) + part(0.286, 530.9, 16.3, 31.1)
+    z = part(1.217, 437, 11.8, 36) + part(0.681, 459, 26, 13.8)
+    return {'red': 3.2406 * x - 1.5372 * y - 0.4986 * z, 'green': -0.9689 * x + 1.8758 * y + 0.0415 * z,
+            'blue': 0.0557 * x - 0.204 * y + 1.057 * z}
+
+
+def film_at(p, theta, wavelength):
+    """By the characteristic matrix of the film (Born and Wolf, "Principles of Optics", 1.6)."""
+    inside, base = asin(sin(theta) / p.film), complex(p.nreal, p.nimag)
+    base_cosine = cmath.sqrt(1 - (sin(theta) / base) ** 2)
+    delay = 2 * pi / wavelength * p.film * p.thickness * cos(inside)
+    total = 0
+    for outer, film, under in ((cos(theta), p.film * cos(inside), base * base_cosine),
+                               (1 / cos(theta), p.film / cos(inside), base / base_cosine)):
+        first = cos(delay) - 1j * sin(delay) * under / film
+        second = -1j * film * sin(delay) + cos(delay) * under
+        total += abs((outer * first - second) / (outer * first + second)) ** 2 / 2
+    return total
+
+
+@functools.lru_cache(maxsize=None)
+def film_reflectance(p, theta):
+    numbers = [1 / 720 + i / 27 * (1 / 385 - 1 / 720) for i in range(28)]
+    weights = [rgb_of_wavelength(1 / number)[p.channel] / number ** 2 for number in numbers]
+    values = [film_at(p, theta, 1 / number) for number in numbers]
+    return min(1, max(0, sum(map(operator.mul, weights, values)) / sum(weights)))
+
+
+def thinfilm(p, u, v):
+    white = Parameters(alpha=p.alpha, ay=p.ay, anisotropy=0, rotation=0, F0=1, F82=1, ks=1, scattering='single',
+                       of_all_channels={'F0': (1,)})
+    alpha = sqrt((p.alpha ** 2 + p.ay ** 2) / 2)
+    mean = 1 - alpha ** 2 / sum(a * alpha ** i for i, a in enumerate(MEAN_MISSING))
+    all_angles = sum(film_reflectance(p, acos(sqrt(0.5 + side / sqrt(12)))) for side in (-1, 1)) / 2
+    leaves = all_angles ** 2 * mean / (1 - all_angles * (1 - mean))
+    further = leaves * ggx_missing(u.theta, alpha) * ggx_missing(v.theta, alpha) / (pi * (1 - mean))
+    return p.ks * (film_reflectance(p, angles_of_half(u, v)[2]) * ggx(white, u, v) + further)
 
 
 def sheen_albedo(c, y):
@@ -332,7 +378,7 @@ def granier(p, u, v):
 COLOURS = ('red', 'green', 'blue')
 FUNCTIONS = {function.__name__: function for function in (
     diffuse, phong, blinn, lewis, ward, minnaert, lafortune, oren, torrance, coupled, ashikhmin, schlick, strauss, neumann,
-    beardmaxwell, kajiya, hanrahan, westin, granier, poulin, he, eon, ggx, sheen)}
+    beardmaxwell, kajiya, hanrahan, westin, granier, poulin, he, eon, ggx, sheen, thinfilm)}
 FUNCTIONS['specular'] = black
 MIRRORS = {'specular': lambda p, u: p.ks, 'coupled': coupled_mirror, 'schlick': schlick_mirror, 'he': he_mirror,
            'westin': westin_mirror}
@@ -361,6 +407,7 @@ DEFAULTS = {
     'he': 'sigma=0.2 tau=2 lambda=(645,525,445) nreal=0 nimag=0 ks=1 kd=0',
     'eon': 'rough=0.5 kd=0.5',
     'sheen': 'rough=0.3 ks=1',
+    'thinfilm': 'alpha=0.1 ay=@alpha thickness=300 film=1.33 nreal=1.5 nimag=0 ks=1',
     'ggx': 'alpha=0.3 ay=@alpha anisotropy=0 rotation=0 nreal=1.5 nimag=0 F0=0 F82=1 ks=1 scattering=reciprocal',
 }
 ALIASES = {'torrance': {'m': 'rough'}, 'ashikhmin': {'nu': 'ex', 'nv': 'ey', 'ks': 'Rs', 'kd': 'Rd'}, 'coupled': {'Ro': 'R0'},
@@ -415,7 +462,7 @@ class Instance:
             channel['channel'], channel['of_all_channels'] = colour, split
             self.channels.append(channel)
         coloured = any(isinstance(value, tuple) for value in values.values())
-        self.is_grey = not coloured and self.keyword != 'granier'
+        self.is_grey = not coloured and self.keyword not in ('granier', 'thinfilm')
 
     def by_channel(self, function):
         if self.is_grey:
