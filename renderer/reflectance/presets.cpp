@@ -80,7 +80,7 @@ const std::vector<PresetTable>& preset_tables() {
         {"soap bubble", "thinfilm alpha=0.001 thickness=380 film=1.33 nreal=1"},
         {"oil on water", "thinfilm alpha=0.01 thickness=300 film=1.47 nreal=1.33"},
         {"pearl",
-         "0.9 diffuse kd=(0.8, 0.77, 0.74) + 1 thinfilm alpha=0.2 thickness=420 film=1.56 nreal=1.68"},
+         "0.6 diffuse kd=(0.95, 0.92, 0.9) + 0.4 thinfilm alpha=0.25 thickness=420 film=1.7 nreal=2.4"},
         {"coated lens", "thinfilm alpha=0.001 thickness=100 film=1.38 nreal=1.52"}}},
       {"Matt surfaces (EON)",
        {{"chalk", "eon rough=0.9 kd=0.9"},
@@ -89,8 +89,23 @@ const std::vector<PresetTable>& preset_tables() {
         {"fired clay", "eon rough=0.8 kd=(0.62, 0.25, 0.14)"},
         {"paper", "eon rough=0.2 kd=0.82"},
         {"plaster", "eon rough=0.6 kd=0.8"}}},
-      // Cloth with a pile has a broad lobe with Fresnel's reflectance over a dark base.
-      {"Fabrics", {{"felt", "oren s=0.6 r=0.6"}, {"velvet", "ashikhmin ex=1 ey=1 Rs=0.2 Rd=0.2"}}}};
+      // A coat over a matt base, in models that leave to the base what the coat does not reflect.
+      {"Plastics and paints",
+       {{"car paint, metallic red",
+         "0.6 ashikhmin ex=2000 Rs=0.06 Rd=(0.5, 0.02, 0.02) + 0.4 ggx alpha=0.35 F0=(0.75, 0.06, 0.05)"},
+        {"glazed ceramic", "coupled Rm=(0.85, 0.83, 0.78) R0=0.04"},
+        {"matt plastic", "ashikhmin ex=12 Rs=0.04 Rd=(0.1, 0.25, 0.5)"},
+        {"rubber", "ashikhmin ex=4 Rs=0.04 Rd=0.03"},
+        {"varnished wood", "ashikhmin ex=300 Rs=0.04 Rd=(0.4, 0.2, 0.08)"}}},
+      // Cloth with a pile shines towards grazing over a dark base; satin has long threads on one side.
+      {"Fabrics",
+       {{"felt", "oren s=0.6 r=0.6"},
+        {"velvet", "ashikhmin ex=1 ey=1 Rs=0.2 Rd=0.2"},
+        {"velvet, crimson",
+         "0.5 eon rough=0.8 kd=(0.22, 0.01, 0.02) + 0.5 sheen rough=0.35 ks=(0.9, 0.3, 0.35)"},
+        {"satin, ivory",
+         "0.6 diffuse kd=(0.8, 0.72, 0.6) + 0.4 ggx alpha=0.25 anisotropy=0.8 F0=(0.9, 0.85, 0.75)"},
+        {"microfibre", "0.6 eon rough=0.7 kd=(0.35, 0.33, 0.3) + 0.4 sheen rough=0.6"}}}};
   return tables;
 }
 

@@ -1,4 +1,4 @@
-// BRDF presets come from the thesis' tables.
+// BRDF presets are the thesis' tables, and everyday materials.
 #pragma once
 
 #include <string>
@@ -22,7 +22,8 @@ const PresetTable& thesis_models();
 
 /// The presets of table 5.5; then polished dielectrics with the indices of refraction of table 2.1 (without
 /// vacuum and air, which reflect nothing), and rough metals with those of table 2.2. The indices are means
-/// over the spectrum, so colours are in ks.
+/// over the spectrum, so colours are in ks. Then metals, thin films, matt surfaces, plastics and fabrics,
+/// which reflect at most what they receive.
 const std::vector<PresetTable>& preset_tables();
 
 /// Returns the GRF text of an entry of table 5.5, which must exist.

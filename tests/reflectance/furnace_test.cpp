@@ -2,6 +2,7 @@
 // covers those.
 #include <gtest/gtest.h>
 
+#include "renderer/reflectance/presets.h"
 #include "tests/reflectance/albedo.h"
 
 namespace {
@@ -26,6 +27,17 @@ std::vector<std::string> conserving_cases() {
   return cases;
 }
 
+/// The library's materials that are not the thesis', whose tables reflect more than they receive.
+std::vector<std::string> presets() {
+  std::vector<std::string> texts;
+  for (const reflectance::PresetTable& table : reflectance::preset_tables()) {
+    if (table.title.starts_with("Thesis")) continue;
+    for (const reflectance::Preset& preset : table.presets) texts.emplace_back(preset.brdf);
+  }
+  return texts;
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, Furnace, testing::ValuesIn(presets()));
 INSTANTIATE_TEST_SUITE_P(Cases, Furnace, testing::ValuesIn(conserving_cases()));
 
 }  // namespace
