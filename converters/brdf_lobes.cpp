@@ -252,7 +252,25 @@ BrdfLobes sheen(const Arguments& a) {
   return diffuse(a.colour({"ks"}, 1) * albedo);
 }
 
-constexpr std::array<BrdfRule, 26> BrdfRules = {{
+Vec3d in_unit(const Vec3d& v) {
+  const auto clamp = [](double x) { return std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 0.0; };
+  return {clamp(v.x), clamp(v.y), clamp(v.z)};
+}
+
+// Coats and fibres are lost.
+BrdfLobes gltf(const Arguments& a) {
+  const double root = (a.number({"ior"}, 1.5) - 1) / (a.number({"ior"}, 1.5) + 1);
+  const double metallic = a.number({"metallic"}, 0);
+  const Vec3d base = a.colour({"baseColor"}, 1);
+  const Vec3d normal = in_unit(a.colour({"specularColor"}, 1) * root * root) * a.number({"specular"}, 1);
+  const double roughness = a.number({"roughness"}, 0.5);
+  const double across = std::max(1e-4, roughness * roughness);
+  const double anisotropy = a.number({"anisotropy"}, 0);
+  const double along = across + (1 - across) * anisotropy * anisotropy;
+  return {base * (1 - metallic), base * metallic + normal * (1 - metallic), 2 / (along * across) - 2};
+}
+
+constexpr std::array<BrdfRule, 27> BrdfRules = {{
     {"diffuse", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"minnaert", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"oren", "r", "", "", [](const Arguments& a) { return diffuse(a.colour({"r"}, 0.5)); }},
@@ -280,14 +298,10 @@ constexpr std::array<BrdfRule, 26> BrdfRules = {{
     {"poulin", "kd", "ks", "n", poulin},
     {"eon", "kd m/(1 - kd (1 - m)), m the albedo of white facets in single scattering", "", "", eon},
     {"ggx", "", "ks F0, or ks F", "2/(ax ay) - 2", ggx},
+    {"gltf", "(1 - metallic) baseColor", "metallic baseColor + (1 - metallic) F0", "2/(ax ay) - 2", gltf},
     {"thinfilm", "", "ks F, F at 610, 550 and 465 nm", "2/(ax ay) - 2", thinfilm},
     {"sheen", "ks R, R the mean albedo of the fibres", "", "", sheen},
 }};
-
-Vec3d in_unit(const Vec3d& v) {
-  const auto clamp = [](double x) { return std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 0.0; };
-  return {clamp(v.x), clamp(v.y), clamp(v.z)};
-}
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 #include "renderer/reflectance/diffuse.h"
 #include "renderer/reflectance/eon.h"
 #include "renderer/reflectance/ggx.h"
+#include "renderer/reflectance/gltf.h"
 #include "renderer/reflectance/granier.h"
 #include "renderer/reflectance/hanrahan.h"
 #include "renderer/reflectance/he.h"
@@ -36,9 +37,10 @@
 namespace reflectance {
 
 /// The analytic models: the only list that a new model is added to.
-using FormulaBrdf = std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren,
-                                 Torrance, Coupled, Ashikhmin, Schlick, Strauss, Neumann, BeardMaxwell,
-                                 Kajiya, Hanrahan, Westin, Granier, Poulin, He, Eon, Ggx, Sheen, ThinFilm>;
+using FormulaBrdf =
+    std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance, Coupled,
+                 Ashikhmin, Schlick, Strauss, Neumann, BeardMaxwell, Kajiya, Hanrahan, Westin, Granier,
+                 Poulin, He, Eon, Ggx, Sheen, ThinFilm, Gltf>;
 
 template <class Variant, class... More>
 struct Extended;

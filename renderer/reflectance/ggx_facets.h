@@ -22,6 +22,54 @@ struct MicrofacetFormula {
 
 namespace reflectance {
 
+/// Samples visible normals of GGX facets by spherical caps (Dupuy and Benyoub 2023), bounded so that fewer
+/// reflections are below the horizon (Tokuyoshi and Eto 2024).
+class FacetSampler {
+ public:
+  /// For the roughness along x and y, and the angle from the tangent to x.
+  FacetSampler(const Rgb& rough, float rotation) : rough_(rough), rotation_(rotation) {}
+
+  /// Returns the reflection of u at a visible normal; it may be below the horizon.
+  Vec3f direction(const Vec3f& u, const Vec2f& xi) const {
+    const Vec3f turned = turn(u);
+    const Vec3f view = Vec3f(rough_.x * turned.x, rough_.y * turned.y, turned.z).normalized();
+    const float lowest = -visible_part(turned) * view.z;
+    const float z = (1 - xi.x) * (1 - lowest) + lowest;
+    const float radius = std::sqrt(std::max(0.0F, (1 - z) * (1 + z)));
+    const Vec3f cap = from_angles(z, radius, 2 * Pi * xi.y) + view;
+    const Vec3f h = Vec3f(rough_.x * cap.x, rough_.y * cap.y, cap.z).normalized();
+    return Formula().ggx_turned(reflected(turned, h), -rotation_);
+  }
+  /// Returns the pdf of that for directions above the horizon.
+  float pdf(const Vec3f& u, const Vec3f& v) const {
+    const Vec3f turned = turn(u);
+    const float projected = visible_part(turned) * turned.z + Formula().ggx_stretched(turned, rough_);
+    return Formula().ggx_distribution(turn(u + v), rough_) / (2 * projected);
+  }
+  /// Returns the value of white facets times cos(theta_v), divided by the pdf: the distribution cancels.
+  float ratio(const Vec3f& u, const Vec3f& v) const {
+    const Vec3f turned = turn(u);
+    const float stretched = Formula().ggx_stretched(turned, rough_);
+    const float other = Formula().ggx_stretched(turn(v), rough_);
+    return v.z * (visible_part(turned) * u.z + stretched) / (v.z * stretched + u.z * other);
+  }
+
+ private:
+  using Formula = glsl::MicrofacetFormula<float>;
+
+  Vec3f turn(const Vec3f& u) const { return Formula().ggx_turned(u, rotation_); }
+  /// The part of the cap below the view's horizon from which reflections can leave the surface.
+  float visible_part(const Vec3f& u) const {
+    const float least = std::min({rough_.x, rough_.y, 1.0F});
+    const float reach = 1 + std::sqrt(u.x * u.x + u.y * u.y);
+    const float square = least * least;
+    return (1 - square) * reach * reach / (reach * reach + square * u.z * u.z);
+  }
+
+  Rgb rough_;
+  float rotation_;
+};
+
 /// How the light that facets scatter to each other leaves: by a reciprocal lobe of its own, by scaling the
 /// lobe of single reflections for the view, or not at all.
 enum FacetScattering { Reciprocal, Scaled, Single };
@@ -43,15 +91,16 @@ class GgxFacets {
   float pdf(const Vec3f& u, const Vec3f& v) const {
     if (u.z <= 0 || v.z <= 0) return 0;
     const float further = further_probability(u);
-    return further * further_pdf(v) + (1 - further) * lobe_pdf(u, v);
+    return further * further_pdf(v) + (1 - further) * sampler().pdf(u, v);
   }
 
   std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const {
     if (u.z <= 0) return std::nullopt;
     const float further = further_probability(u);
-    const Vec3f v = xi.choice < further ? further_direction(xi.direction) : lobe_direction(u, xi.direction);
+    const Vec3f v =
+        xi.choice < further ? further_direction(xi.direction) : sampler().direction(u, xi.direction);
     if (!(v.z > 0)) return std::nullopt;
-    const float of_lobe = lobe_pdf(u, v);
+    const float of_lobe = sampler().pdf(u, v);
     const float density = further * further_pdf(v) + (1 - further) * of_lobe;
     if (!(density > 0) || !std::isfinite(density)) return std::nullopt;
     const Rgb weight = lobe_weight(u, v) * (of_lobe / density) + further_value(u, v) * (v.z / density);
@@ -80,6 +129,7 @@ class GgxFacets {
   using Formula = glsl::MicrofacetFormula<float>;
 
   const Model& model() const { return static_cast<const Model&>(*this); }
+  FacetSampler sampler() const { return {rough_, model().rotation}; }
 
   /// Estimates of the albedos of the lobe and of what facets scatter to each other, without `ks`.
   struct Albedos {
@@ -97,42 +147,12 @@ class GgxFacets {
     return albedos.further > 0 ? albedos.further / (albedos.further + albedos.lobe) : 0;
   }
 
-  // Samples visible normals by spherical caps (Dupuy and Benyoub 2023), bounded so that fewer reflections are
-  // below the horizon (Tokuyoshi and Eto 2024).
-  Vec3f lobe_direction(const Vec3f& u, const Vec2f& xi) const {
-    const Vec3f turned = Formula().ggx_turned(u, model().rotation);
-    const Vec3f view = Vec3f(rough_.x * turned.x, rough_.y * turned.y, turned.z).normalized();
-    const float lowest = -visible_part(turned) * view.z;
-    const float z = (1 - xi.x) * (1 - lowest) + lowest;
-    const float radius = std::sqrt(std::max(0.0F, (1 - z) * (1 + z)));
-    const Vec3f cap = from_angles(z, radius, 2 * Pi * xi.y) + view;
-    const Vec3f h = Vec3f(rough_.x * cap.x, rough_.y * cap.y, cap.z).normalized();
-    return Formula().ggx_turned(reflected(turned, h), -model().rotation);
-  }
-  float lobe_pdf(const Vec3f& u, const Vec3f& v) const {
-    const Vec3f turned = Formula().ggx_turned(u, model().rotation);
-    const float projected = visible_part(turned) * turned.z + Formula().ggx_stretched(turned, rough_);
-    return Formula().ggx_distribution(Formula().ggx_turned(u + v, model().rotation), rough_) /
-           (2 * projected);
-  }
   /// Returns the lobe's value times cos(theta_v), divided by its pdf: the distribution cancels.
   Rgb lobe_weight(const Vec3f& u, const Vec3f& v) const {
-    const Vec3f turned = Formula().ggx_turned(u, model().rotation);
-    const float stretched = Formula().ggx_stretched(turned, rough_);
-    const float other = Formula().ggx_stretched(Formula().ggx_turned(v, model().rotation), rough_);
-    const float ratio = v.z * (visible_part(turned) * u.z + stretched) / (v.z * stretched + u.z * other);
-    const Rgb weight = model().ks * model().reflectance(u, v) * ratio;
+    const Rgb weight = model().ks * model().reflectance(u, v) * sampler().ratio(u, v);
     if (model().scattering != Scaled) return weight;
     return weight * (Rgb(1) + at_normal_ * Formula().ggx_several_over_one(u.z, mean_rough_));
   }
-  /// The part of the cap below the view's horizon from which reflections can leave the surface.
-  float visible_part(const Vec3f& u) const {
-    const float least = std::min({rough_.x, rough_.y, 1.0F});
-    const float reach = 1 + std::sqrt(u.x * u.x + u.y * u.y);
-    const float square = least * least;
-    return (1 - square) * reach * reach / (reach * reach + square * u.z * u.z);
-  }
-
   /// The value of what facets scatter to each other.
   Rgb further_value(const Vec3f& u, const Vec3f& v) const {
     if (model().scattering != Reciprocal) return Rgb(0);

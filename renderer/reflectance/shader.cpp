@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t MostParameters = 224;
 
 /// The files shared by formulas, in order of dependency.
-constexpr std::array SharedFiles = {"glsl_functions", "float_functions", "common",    "fresnel",
-                                    "beckmann",       "refraction",      "kirchhoff", "microfacets"};
+constexpr std::array SharedFiles = {"glsl_functions", "float_functions", "common",      "fresnel", "beckmann",
+                                    "refraction",     "kirchhoff",       "microfacets", "fibres"};
 
 std::string parameter_text(std::size_t k) { return fmt::format("brdf_parameters[{}]", k); }
 

@@ -13,6 +13,7 @@ struct SheenFormula {
   using vec3 = Imath::Vec3<real>;
   static constexpr real PI = Pi<real>;
 #include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/fibres.glsl"
 #include "renderer/reflectance/sheen.glsl"
 };
 

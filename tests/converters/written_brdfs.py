@@ -61,6 +61,9 @@ def rows():
     yield "poulin kd=0.2 ks=0.3 n=30", 0.2, 0.3, 30
     yield "ggx alpha=0.25 ay=0.5 nreal=1.5 ks=0.5", 0, 0.5 * fresnel(1.5), 2 / (0.25 * 0.5) - 2
     yield "ggx ax=0.5 F0=(0.9, 0.6, 0.3)", 0, (0.9, 0.6, 0.3), 2 / 0.25 - 2
+    yield ("gltf baseColor=(0.8, 0.4, 0.2) metallic=0.25 roughness=0.5 ior=1.5 specular=0.5 anisotropy=0.5",
+           (0.6, 0.3, 0.15), tuple(0.25 * colour + 0.75 * 0.5 * 0.04 for colour in (0.8, 0.4, 0.2)),
+           2 / (0.25 * (0.25 + 0.75 * 0.25)) - 2)
     yield ("thinfilm alpha=0.25 ay=0.5 thickness=250 film=1.5 nreal=2 nimag=3 ks=0.8", 0,
            tuple(0.8 * film_reflectance(250, 1.5, 2 + 3j, wavelength) for wavelength in (610, 550, 465)),
            2 / (0.25 * 0.5) - 2)

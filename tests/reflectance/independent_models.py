@@ -213,6 +213,61 @@ def thinfilm(p, u, v):
     return p.ks * (film_reflectance(p, angles_of_half(u, v)[2]) * ggx(white, u, v) + further)
 
 
+# The fits of what facets with Schlick's second part reflect; gltf_test compares them with quadrature.
+GRAZING_LEAST = (1.0165, 0.3781, -2.2341, 1.3077)
+GRAZING = ((-1.366, 4.6269, -2.7931), (7.0018, -26.2794, 18.4785), (-8.7116, 30.7108, -22.2822))
+
+
+def ggx_grazing(theta, alpha):
+    c, root = cos(theta), sqrt(alpha)
+    least = sum(a * root ** (1.5 + i) for i, a in enumerate(GRAZING_LEAST))
+    place = hypot(c, least) + sum(a * c ** (i + 1) * root ** (j + 1) for i, row in enumerate(GRAZING) for j, a in enumerate(row))
+    return (1 - min(1, max(0, place))) ** 5 * (1 - ggx_missing(theta, alpha))
+
+
+def gltf(p, u, v):
+    across = max(1e-4, p.roughness ** 2)
+    along = across + (1 - across) * p.anisotropy ** 2
+    alpha = sqrt((along ** 2 + across ** 2) / 2)
+    least = alpha ** 2 / sum(a * alpha ** i for i, a in enumerate(MEAN_MISSING))
+
+    def white(ax, ay, rotation):
+        return ggx(Parameters(alpha=ax, ay=ay, anisotropy=0, rotation=rotation, F0=1, F82=1, ks=1, scattering='single',
+                              of_all_channels={'F0': (1,)}), u, v)
+
+    def schlick(normal, grazing):
+        return normal + (grazing - normal) * (1 - cos(angles_of_half(u, v)[2])) ** 5
+
+    def leaves(normal, grazing):
+        mean = normal + (grazing - normal) / 21
+        return mean ** 2 * (1 - least) / (1 - mean * least)
+
+    def facets(theta, a, normal, grazing, further):
+        missing = ggx_missing(theta, a)
+        return normal * (1 - missing) + (grazing - normal) * ggx_grazing(theta, a) + further * missing
+
+    normals = [min(1, ((p.ior - 1) / (p.ior + 1)) ** 2 * colour) * p.specular for colour in p.of_all_channels['specularColor']]
+    normal, largest = normals[COLOURS.index(p.channel)], max(normals)
+    further = leaves(largest, p.specular)
+    mean = (largest * (1 - least) + (p.specular - largest) / (21 * (1 + alpha * (2.603 + alpha * (14.151 - 0.653 * alpha)))) +
+            further * least)
+    m = p.metallic
+    value = ((1 - m) * schlick(normal, p.specular) + m * schlick(p.baseColor, 1)) * white(along, across, p.rotation)
+    between = (1 - m) * leaves(normal, p.specular) + m * leaves(p.baseColor, 1)
+    value += between * ggx_missing(u.theta, alpha) * ggx_missing(v.theta, alpha) / (pi * least)
+    value += ((1 - m) * p.baseColor / pi / (1 - mean) * (1 - facets(u.theta, alpha, largest, p.specular, further)) *
+              (1 - facets(v.theta, alpha, largest, p.specular, further)))
+    strongest = max(p.of_all_channels['sheenColor'])
+    if strongest > 0:
+        value *= 1 - strongest * max(sheen_albedo(cos(w.theta), p.sheenRoughness) for w in (u, v))
+        value += sheen(Parameters(rough=p.sheenRoughness, ks=p.sheenColor), u, v)
+    if p.clearcoat > 0:
+        coat = max(1e-4, p.clearcoatRoughness ** 2)
+        value *= 1 - p.clearcoat * max(facets(w.theta, coat, 0.04, 1, 0) for w in (u, v))
+        value += p.clearcoat * schlick(0.04, 1) * white(coat, coat, 0)
+    return value
+
+
 def sheen_albedo(c, y):
     s = y * (0.0206607 + 1.58491 * y) / (0.0379424 + y * (1.32227 + y))
     m = y * (-0.193854 + y * (-1.14885 + y * (1.7932 - 0.95943 * y * y))) / (0.046391 + y)
@@ -378,7 +433,7 @@ def granier(p, u, v):
 COLOURS = ('red', 'green', 'blue')
 FUNCTIONS = {function.__name__: function for function in (
     diffuse, phong, blinn, lewis, ward, minnaert, lafortune, oren, torrance, coupled, ashikhmin, schlick, strauss, neumann,
-    beardmaxwell, kajiya, hanrahan, westin, granier, poulin, he, eon, ggx, sheen, thinfilm)}
+    beardmaxwell, kajiya, hanrahan, westin, granier, poulin, he, eon, ggx, sheen, thinfilm, gltf)}
 FUNCTIONS['specular'] = black
 MIRRORS = {'specular': lambda p, u: p.ks, 'coupled': coupled_mirror, 'schlick': schlick_mirror, 'he': he_mirror,
            'westin': westin_mirror}
@@ -407,6 +462,8 @@ DEFAULTS = {
     'he': 'sigma=0.2 tau=2 lambda=(645,525,445) nreal=0 nimag=0 ks=1 kd=0',
     'eon': 'rough=0.5 kd=0.5',
     'sheen': 'rough=0.3 ks=1',
+    'gltf': 'baseColor=1 metallic=0 roughness=0.5 ior=1.5 specular=1 specularColor=1 anisotropy=0 rotation=0 clearcoat=0 '
+            'clearcoatRoughness=0 sheenColor=0 sheenRoughness=0.3',
     'thinfilm': 'alpha=0.1 ay=@alpha thickness=300 film=1.33 nreal=1.5 nimag=0 ks=1',
     'ggx': 'alpha=0.3 ay=@alpha anisotropy=0 rotation=0 nreal=1.5 nimag=0 F0=0 F82=1 ks=1 scattering=reciprocal',
 }

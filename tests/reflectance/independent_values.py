@@ -43,6 +43,7 @@ DOCUMENTED = [
     'westin sigma=0.1 tau=3 nreal=0.617 nimag=2.63', 'granier nreal=(1.5, 1.51, 1.52) d=250 n=100 m=20 tilt=0 ks=1 kt=0.9 kd=0',
     'poulin d=2 h=0.01 n=100 ks=0.8 kd=0.2', 'he sigma=0.5 tau=3 lambda=800', 'eon rough=0.8 kd=0.9',
     'ggx alpha=0.3 nreal=0.617 nimag=2.63 ks=1', 'sheen rough=0.3 ks=1',
+    'gltf baseColor=(0.8, 0.25, 0.1) metallic=0 roughness=0.35 clearcoat=0.5',
     'thinfilm alpha=0.1 thickness=350 film=1.5 nreal=2.5 nimag=3.4 ks=1',
     'oren s=0 r=1', 'schlick SC=0.7 Sr=0.31 Sp=1 Ly=true DC=1 Dr=0 Dp=1',
 ]
@@ -72,6 +73,10 @@ CHOSEN = [
      [(25, 10), (65, 100)]),
     ('ggx alpha=0.6 anisotropy=0.7 F0=(0.9,0.5,0.2) F82=(0.7,0.9,1)', [(40, 30)]),
     ('ggx alpha=0.5 nreal=1.7 scattering=scaled', [(70, 0)]),
+    ('gltf baseColor=(0.9,0.5,0.2) metallic=0.6 roughness=0.7 anisotropy=0.5 rotation=0.4', [(25, 10), (65, 100)]),
+    ('gltf baseColor=0.6 roughness=0.45 ior=1.8 specular=0.7 specularColor=(0.5,1,2)', [(40, 30)]),
+    ('gltf baseColor=(0.9,0.5,0.2) roughness=0.6 clearcoat=0.7 clearcoatRoughness=0.5 sheenColor=(0.2,0.5,0.9) sheenRoughness=0.4',
+     [(50, 0)]),
     ('thinfilm alpha=0.3 ay=0.5 thickness=420 film=1.33 nreal=1 ks=(0.9,0.7,0.5)', [(25, 10), (65, 100)]),
     ('thinfilm alpha=0.5 thickness=150 film=2.2 nreal=(0.2,0.6,1.4) nimag=(3.6,2.5,1.9)', [(40, 30)]),
     ('sheen rough=0.65 ks=(0.9,0.5,0.3)', [(30, 10), (75, 200)]),
