@@ -34,6 +34,14 @@ constexpr double BrightSide = 0.7;
 /// The least radiance of the darker side along an edge, as a fraction of the brighter one's.
 constexpr double Balance = 0.5;
 
+/// The hits per pixel along an edge, and the number of pixels, between which and from which on they are
+/// compared.
+constexpr double FewestHitsAlong = 0.05;
+constexpr double MostHitsAlong = 1.5;
+constexpr int ComparedPixels = 5;
+/// The least radiance that a hit adds to such a pixel, relative to the dark side.
+constexpr double SeenHit = 0.5;
+
 /// The variance of an edge pixel that one sample hits, in squared hits, and its growth with the hits.
 constexpr double EdgeVariance = 1 / 3.0;
 constexpr double EdgeVariancePower = 0.25;
@@ -218,11 +226,17 @@ class EdgeSide {
   double bright_;
 };
 
+/// The mean of some pixels.
+struct MeanOf {
+  double mean = 0;
+  int count = 0;
+};
+
 /// The mean of a pixel and its neighbours on both sides along an edge that is nearly parallel to the rows or
 /// columns; empty if there is no such edge. Both sides contribute equally many pixels: along an edge that is
 /// not quite parallel, the coverage changes by the same amount from pixel to pixel. Where the edge ends, one
 /// side is dark, and the mean would hide how little of the last pixels is covered.
-std::optional<double> mean_along_edge(const PixelMoments& pixels, const PixelValue& value, double bright) {
+std::optional<MeanOf> mean_along_edge(const PixelMoments& pixels, const PixelValue& value, double bright) {
   double sum = 0;
   int most = 1;
   for (const Imath::V2i& to_bright :
@@ -246,7 +260,7 @@ std::optional<double> mean_along_edge(const PixelMoments& pixels, const PixelVal
     most = count;
     sum = value.mean + sum_before + sum_after;
   }
-  return most > 1 ? std::optional(sum / most) : std::nullopt;
+  return most > 1 ? std::optional(MeanOf{sum / most, most}) : std::nullopt;
 }
 
 /// Returns true if no pixel farther away than `SmallObject` is nearly as bright. Then the bright pixels are
@@ -264,12 +278,35 @@ bool is_small_object(const PixelMoments& pixels, const PixelValue& value) {
   return true;
 }
 
+/// Returns the squared relative error of a pixel that samples hit now and then, by its difference from the
+/// pixels along its edge; empty if there is no such edge. Unlike the difference of the halves, this sees
+/// where both halves were hit by chance, or neither.
+std::optional<double> error_along_edge(const PixelMoments& pixels, const PixelValue& value,
+                                       const Surroundings& around) {
+  const double floor = around.darkest + std::sqrt(RelmseFloor);
+  const double hit = (around.brightest - around.darkest) / pixels.samples;
+  if (value.mean >= around.brightest || hit < SeenHit * floor) return std::nullopt;
+  const auto along = mean_along_edge(pixels, value, BrightSide * around.brightest);
+  if (!along || along->count < ComparedPixels) return std::nullopt;
+  const double hits = (along->mean - around.darkest) / hit;
+  if (hits < FewestHitsAlong || hits > MostHitsAlong) return std::nullopt;
+  const double difference = value.mean - along->mean;
+  return difference * difference * along->count / (along->count - 1) /
+         (along->mean * along->mean + RelmseFloor);
+}
+
+/// The squared relative error of a value.
+struct ValueError {
+  double error = 0;
+  bool is_compared = false;  ///< with other pixels, and not only measured by the halves
+};
+
 /// Returns the squared relative error of a value; empty if it is added to the outliers or touched pixels.
-std::optional<double> add_value(const PixelMoments& pixels, const PixelValue& value,
-                                const Surroundings& around, ErrorSums& sums) {
+std::optional<ValueError> add_value(const PixelMoments& pixels, const PixelValue& value,
+                                    const Surroundings& around, ErrorSums& sums) {
   const double mean = value.mean;
   const double variance = value.variance;
-  if (around.count == 0) return variance / (mean * mean + RelmseFloor);
+  if (around.count == 0) return ValueError{variance / (mean * mean + RelmseFloor)};
   const bool is_lone = mean > OutlierContrast * (around.second_brightest + std::sqrt(RelmseFloor));
   if (is_lone) {
     const double excess = mean - around.second_brightest;
@@ -284,10 +321,13 @@ std::optional<double> add_value(const PixelMoments& pixels, const PixelValue& va
   }
   sums.touched.unseen += unseen_error(around, mean, pixels.samples);
   add_untouched(around, mean, pixels.samples, sums.untouched);
-  if (!(variance > 0)) return 0;
+  if (!is_lone) {
+    if (const auto error = error_along_edge(pixels, value, around)) return ValueError{*error, true};
+  }
+  if (!(variance > 0)) return ValueError();
   const double radiance = likely_radiance(pixels, value, around);
   const double error = variance / (radiance * radiance + RelmseFloor);
-  if (variance <= OneHalfBright * OneHalfBright * mean * mean) return error;
+  if (variance <= OneHalfBright * OneHalfBright * mean * mean) return ValueError{error};
   const double own_error = variance / (mean * mean + RelmseFloor);
   if (is_lone) {
     sums.outliers.own += own_error;
@@ -297,9 +337,9 @@ std::optional<double> add_value(const PixelMoments& pixels, const PixelValue& va
   const double brighter = mean * mean / (around.darkest * around.darkest + RelmseFloor);
   const bool is_touched =
       visible_part(around, value) > 0.5 && brighter > TouchedContrast && mean <= around.brightest;
-  if (!is_touched) return is_small_object(pixels, value) ? own_error : error;
+  if (!is_touched) return ValueError{is_small_object(pixels, value) ? own_error : error};
   if (const auto along = mean_along_edge(pixels, value, BrightSide * around.brightest)) {
-    return variance / (*along * *along + RelmseFloor);
+    return ValueError{variance / (along->mean * along->mean + RelmseFloor)};
   }
   sums.touched.errors += own_error;
   sums.touched.logarithms += own_error * std::log(brighter);
@@ -346,12 +386,12 @@ ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted) {
         const Surroundings around = surroundings_of(pixels, value);
         const auto measured = add_value(pixels, value, around, sums);
         if (!measured) continue;
-        const double at_edge = edge_error(around, value.mean, pixels.samples);
+        const double at_edge = measured->is_compared ? 0 : edge_error(around, value.mean, pixels.samples);
         if (at_edge > 0) {
           at_edges += at_edge;
-          sums.edges.errors += *measured;
+          sums.edges.errors += measured->error;
         } else {
-          error += *measured;
+          error += measured->error;
         }
       }
       sums.errors += error;

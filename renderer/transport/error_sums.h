@@ -101,7 +101,9 @@ constexpr int ErrorNeighbours = 7;
 /// This fails for a pixel at an edge of which only one half is bright: few samples hit the bright side. If
 /// the edge is nearly parallel to the rows or columns of pixels, it covers as much of the adjacent pixels,
 /// and their mean is t. If nothing else around is bright, it belongs to a small object, and t is its own
-/// value. Other such pixels, other edge pixels, and outliers are summed separately; see `error_estimate_of`.
+/// value. Along an edge that samples hit now and then, the difference from t is taken instead of d: of a
+/// hundred such pixels, a few that are hit twice make up the error. Other such pixels, other edge pixels, and
+/// outliers are summed separately; see `error_estimate_of`.
 ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted);
 
 /// Returns the estimated squared error of one pixel, relative as in relMSE, the mean over its channels: d^2 /

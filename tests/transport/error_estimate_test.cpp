@@ -89,6 +89,20 @@ TEST(ErrorEstimate, DoesNotTakeASmallLampForNoise) {
   EXPECT_GT(as_noise.errors, 20);
 }
 
+// A bright half plane covers hundredths of a row of dark pixels, and of 15 pixels one was hit in both halves.
+// The halves agree, and the error is 2 hits of 9/16 less the mean: (1.125 - 0.075)^2 15/14 / (1.075^2 +
+// 0.01).
+TEST(ErrorSums, SeeWhereBothHalvesWereHitByChance) {
+  transport::PixelMoments pixels{
+      {0, 0, 15, 16}, 16, std::vector<Imath::V3d>(240), std::vector<Imath::V3d>(240)};
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 15; ++x) pixels.means[pixels.index_of(x, y)] = Imath::V3d(y < 8 ? 1 : 10);
+  }
+  pixels.means[pixels.index_of(7, 7)] = Imath::V3d(1 + 2 * 9.0 / 16);
+  const auto sums = transport::error_sums_of(pixels, {7, 7, 1, 1});
+  EXPECT_NEAR(sums.errors, 3 * 1.05 * 1.05 * 15 / 14 / (1.075 * 1.075 + 0.01), 1e-9);
+}
+
 // The lamps are thinner than a pixel, along a row and along a column. With all eight neighbours as the prior
 // of each pixel, 1.2 times the error was stated.
 TEST(ErrorEstimate, TakesPixelsOfAThinLineForAlike) {
