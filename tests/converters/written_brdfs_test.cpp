@@ -300,11 +300,13 @@ PictureBounds bounds_of(const std::string& keyword) {
       {"coupled", {0.15, 0.115, 0.15, 0.08}},  // Fresnel's reflectance grows, MTL's mirror does not
       {"neumann", {0.13, 0.12, 0.15, 0.08}},   // the lobe loses what would leave below the surface
       {"beardmaxwell", {0.16, 0.13, 0.15, 0.08}}, {"granier", {0.12, 0.08, 0.15, 0.08}},
-      {"eon", {0.1, 0.08, 0.15, 0.085}},      // rough surfaces are flatter than Lambert
-      {"ggx", {0.22, 0.14, 0.21, 0.11}},      // light between facets is lost
-      {"sheen", {0.12, 0.08, 0.15, 0.08}},    // it shines towards grazing
-      {"poulin", {0.14, 0.135, 0.21, 0.08}},  // cylinders shadow each other
-      {"schlick", {0.48, 0.27, 0.33, 0.1}},   // as published, it reflects up to twice the light
+      {"eon", {0.1, 0.08, 0.15, 0.085}},        // rough surfaces are flatter than Lambert
+      {"ggx", {0.22, 0.14, 0.21, 0.11}},        // light between facets is lost
+      {"sheen", {0.12, 0.08, 0.15, 0.08}},      // it shines towards grazing
+      {"thinfilm", {0.165, 0.12, 0.15, 0.08}},  // its colour changes with the angle
+      {"gltf", {0.135, 0.095, 0.15, 0.08}},     // light between facets is lost
+      {"poulin", {0.14, 0.135, 0.21, 0.08}},    // cylinders shadow each other
+      {"schlick", {0.48, 0.27, 0.33, 0.1}},     // as published, it reflects up to twice the light
   };
   const auto known = bounds.find(keyword);
   return known == bounds.end() ? PictureBounds() : known->second;
