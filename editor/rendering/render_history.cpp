@@ -13,7 +13,8 @@ constexpr QSize Thumbnail(10 * Grid, 8 * Grid);
 
 QString summary_of(const FinalRenderResult& result) {
   const RenderSummary& summary = result.summary;
-  QString samples = RenderHistory::tr("%1 samples").arg(summary.samples, 0, 'g', 3);
+  QString samples = summary.samples == 1 ? RenderHistory::tr("1 sample")
+                                         : RenderHistory::tr("%1 samples").arg(summary.samples, 0, 'g', 3);
   if (result.is_stopped) samples = RenderHistory::tr("stopped") + " · " + samples;
   QString course = duration_text(summary.seconds);
   if (summary.estimated_error) {

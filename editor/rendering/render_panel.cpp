@@ -233,7 +233,8 @@ void RenderPanel::finish(const FinalRenderResult& result) {
   if (!result.is_stopped) progress_->setValue(progress_->maximum());
   show_visible_noise(result.summary.visible_noise);
   QString text = result.is_stopped ? tr("Stopped, image kept") : tr("Done");
-  text += " · " + tr("%1 samples").arg(result.summary.samples, 0, 'g', 4) + " · " +
+  const double samples = result.summary.samples;
+  text += " · " + (samples == 1 ? tr("1 sample") : tr("%1 samples").arg(samples, 0, 'g', 4)) + " · " +
           duration_text(result.summary.seconds);
   if (result.summary.estimated_error)
     text += " · " + tr("error %1").arg(percent_text(*result.summary.estimated_error));

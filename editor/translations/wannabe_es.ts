@@ -2574,6 +2574,10 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
+    <message>
+        <source>Reimported %1: 1 object changed</source>
+        <translation>Se reimportó %1: cambió 1 objeto</translation>
+    </message>
 </context>
 <context>
     <name>editor::FinalRender</name>
@@ -5967,6 +5971,10 @@ BPT_Scene  scene.grf</translation>
         <source>Press F6 to render. Finished renders are listed here until the editor is closed.</source>
         <translation>Pulse F6 para renderizar. Los renders terminados aparecen aquí hasta que se cierra el editor.</translation>
     </message>
+    <message>
+        <source>1 sample</source>
+        <translation>1 muestra</translation>
+    </message>
 </context>
 <context>
     <name>editor::RenderPanel</name>
@@ -6345,6 +6353,10 @@ BPT_Scene  scene.grf</translation>
     <message>
         <source>95 % of the pixels differ by less than this from the converged image, in units of CIEDE2000: below 1 the eye sees no difference. It sees %1 pixels per degree, as on a full HD screen of 24 inches from 63 cm, with the exposure of the render options. Estimated from two halves of the samples</source>
         <translation>El 95 % de los píxeles difiere en menos que esto de la imagen convergida, en unidades de CIEDE2000: por debajo de 1 el ojo no ve diferencia alguna. Ve %1 píxeles por grado, como en una pantalla Full HD de 24 pulgadas a 63 cm, con la exposición de las opciones de render. Se estima con dos mitades de las muestras</translation>
+    </message>
+    <message>
+        <source>1 sample</source>
+        <translation>1 muestra</translation>
     </message>
 </context>
 <context>

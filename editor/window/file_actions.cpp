@@ -298,8 +298,9 @@ void FileActions::take_reimported() {
   Reimported now = editor::reimported(document_.scene(), import_.reimported, loaded->model.scene);
   if (now.meshes > 0) document_.replace(import_.title, std::move(now.scene));
   const QString name = QFileInfo(loaded->path).fileName();
-  const QString did = now.meshes == 0 ? tr("Reimported %1: its objects are the same").arg(name)
-                                      : tr("Reimported %1: %2 objects changed").arg(name).arg(now.meshes);
+  const QString did = now.meshes == 0   ? tr("Reimported %1: its objects are the same").arg(name)
+                      : now.meshes == 1 ? tr("Reimported %1: 1 object changed").arg(name)
+                                        : tr("Reimported %1: %2 objects changed").arg(name).arg(now.meshes);
   if (now.problems.isEmpty()) return emit done(did);
   grf::Diagnostics diagnostics;
   for (const QString& problem : now.problems)
