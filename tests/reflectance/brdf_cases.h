@@ -70,7 +70,7 @@ inline const std::vector<std::string>& plain_cases() {
       "ggx alpha=0.2 ay=0.5 rotation=0.6 F0=(0.9, 0.6, 0.3) F82=0.8",
       "ggx alpha=0.5 scattering=scaled F0=(1, 0.7, 0.4)",
       "ggx alpha=1 scattering=single F0=1",
-      "gltf baseColor=(0.8, 0.25, 0.1) roughness=0.35 clearcoat=0.5",
+      "gltf baseColor=(0.8, 0.25, 0.1) roughness=0.35 clearcoat=0.5 clearcoatRoughness=0.3",
       "gltf baseColor=(0.9, 0.5, 0.2) metallic=0.6 roughness=0.7 anisotropy=0.5 rotation=0.4",
       "gltf roughness=1 sheenColor=(0.2, 0.5, 0.9) clearcoat=1 clearcoatRoughness=0.5",
       "gltf roughness=0.2 ior=1.8 specular=0.7 specularColor=(0.5, 1, 2)",

@@ -13,6 +13,11 @@
 
 namespace {
 
+transport::PixelMoments black_pixels(int width, int height, double samples) {
+  const std::vector<Imath::V3d> black(static_cast<std::size_t>(width * height), Imath::V3d(0));
+  return {{0, 0, width, height}, samples, black, black};
+}
+
 TEST(ErrorSums, AddUpAllThatPartsSay) {
   using Numbers = std::array<double, sizeof(transport::ErrorSums) / sizeof(double)>;
   Numbers a;
@@ -71,8 +76,7 @@ TEST(ErrorEstimate, HoldsWithLampsInView) {
 // Half of the samples hit each of three pixels. Divided by their dark neighbours, their error would be stated
 // as four times as large.
 TEST(ErrorEstimate, DoesNotTakeASmallLampForNoise) {
-  transport::PixelMoments pixels{
-      {0, 0, 24, 24}, 4, std::vector<Imath::V3d>(576), std::vector<Imath::V3d>(576)};
+  transport::PixelMoments pixels = black_pixels(24, 24, 4);
   const auto set = [&](int x, int y, double mean, double deviation) {
     pixels.means[pixels.index_of(x, y)] = Imath::V3d(mean);
     pixels.variances[pixels.index_of(x, y)] = Imath::V3d(deviation * deviation);
@@ -93,8 +97,7 @@ TEST(ErrorEstimate, DoesNotTakeASmallLampForNoise) {
 // The halves agree, and the error is 2 hits of 9/16 less the mean: (1.125 - 0.075)^2 15/14 / (1.075^2 +
 // 0.01).
 TEST(ErrorSums, SeeWhereBothHalvesWereHitByChance) {
-  transport::PixelMoments pixels{
-      {0, 0, 15, 16}, 16, std::vector<Imath::V3d>(240), std::vector<Imath::V3d>(240)};
+  transport::PixelMoments pixels = black_pixels(15, 16, 16);
   for (int y = 0; y < 16; ++y) {
     for (int x = 0; x < 15; ++x) pixels.means[pixels.index_of(x, y)] = Imath::V3d(y < 8 ? 1 : 10);
   }
