@@ -7,6 +7,11 @@ vec3 gltf_schlick(vec3 normal, vec3 grazing, real c) { return normal + (grazing 
 // Returns the mean of that over the hemisphere, weighted by the cosine.
 vec3 gltf_mean_schlick(vec3 normal, vec3 grazing) { return normal + (grazing - normal) / real(21); }
 
+// Returns what is between the dielectric and the metal. At a metal, no digits of a dark colour are lost.
+vec3 gltf_mixed(vec3 of_dielectric, vec3 of_metal, real metallic) {
+  return of_dielectric * (1 - metallic) + of_metal * metallic;
+}
+
 real gltf_largest(vec3 colour) { return max(colour.x, max(colour.y, colour.z)); }
 
 // Returns the reflectance of the dielectric at normal incidence.
@@ -36,7 +41,7 @@ real gltf_coat_albedo(real c, real alpha) { return gltf_albedo(c, alpha, real(0.
 vec3 gltf_further(vec3 base, real metallic, vec3 normal, real specular, real alpha) {
   vec3 of_metal = ggx_further(gltf_mean_schlick(base, vec3(1)), alpha);
   vec3 of_dielectric = ggx_further(gltf_mean_schlick(normal, vec3(specular)), alpha);
-  return of_dielectric + (of_metal - of_dielectric) * metallic;
+  return gltf_mixed(of_dielectric, of_metal, metallic);
 }
 
 // Returns the dielectric's largest reflectance at normal incidence, the part of light between its facets that
@@ -61,7 +66,7 @@ vec3 gltf_base(vec3 u, vec3 v, vec3 rough, real rotation, vec3 base, real metall
   real c = cosine_at_half(u, v);
   vec3 of_metal = gltf_schlick(base, vec3(1), c);
   vec3 of_dielectric = gltf_schlick(normal, vec3(specular), c);
-  vec3 value = (of_dielectric + (of_metal - of_dielectric) * metallic) * ggx_facets(u, v, rough, rotation);
+  vec3 value = gltf_mixed(of_dielectric, of_metal, metallic) * ggx_facets(u, v, rough, rotation);
   value = value + further * ggx_further_lobe(u, v, alpha);
   if (metallic == 1) return value;
   real transmitted = max(real(0), 1 - gltf_albedo(u.z, alpha, dielectric.x, specular, dielectric.y)) *

@@ -53,12 +53,19 @@ FilmSides film_sides(real c, real normal, real film, vec3 n, vec3 k, bool is_p) 
 }
 
 // Returns the reflectance where light that crosses the film to and fro is late by a phase of this cosine and
-// sine.
+// sine. Both sides of the quotient are sums of squares; where they vanish, nearly perfect mirrors resonate.
+real film_quotient(real front, real late_real, real late_imaginary) {
+  real sum = front + late_real;
+  real product = 1 + front * late_real;
+  real below = product * product + front * front * late_imaginary * late_imaginary;
+  return below > 0 ? min(real(1), (sum * sum + late_imaginary * late_imaginary) / below) : real(1);
+}
 vec3 film_reflected(FilmSides sides, real cosine, real sine) {
-  vec3 base2 = sides.base_real * sides.base_real + sides.base_imaginary * sides.base_imaginary;
-  real front2 = sides.front * sides.front;
-  vec3 interference = (sides.base_real * cosine - sides.base_imaginary * sine) * (2 * sides.front);
-  return (vec3(front2) + base2 + interference) / (vec3(1) + base2 * front2 + interference);
+  vec3 late_real = sides.base_real * cosine - sides.base_imaginary * sine;
+  vec3 late_imaginary = sides.base_real * sine + sides.base_imaginary * cosine;
+  return vec3(film_quotient(sides.front, late_real.x, late_imaginary.x),
+              film_quotient(sides.front, late_real.y, late_imaginary.y),
+              film_quotient(sides.front, late_real.z, late_imaginary.z));
 }
 
 vec3 film_wave(real phase, FilmSides s, FilmSides p) {
