@@ -18,9 +18,9 @@ vec3 film_amplitude(real a, real a_imaginary, real b, real b_imaginary) {
   return vec3(difference / square, 2 * (a_imaginary * b - a * b_imaginary) / square, 0);
 }
 
-// Returns the real and the imaginary part of sqrt((n + ik)^2 - s2), where c^2 = 1 - s2.
-vec3 film_root(real c, real n, real k) {
-  real t = (n - 1) * (n + 1) - k * k + c * c;
+// Returns the real and the imaginary part of sqrt((n + ik)^2 - s2), where c^2 = 1 - s2; see `fresnel`.
+vec3 film_root(real c, real s2, real n, real k) {
+  real t = n < real(0.5) ? n * n - (k * k + s2) : (n - 1) * (n + 1) - k * k + c * c;
   real nk = n * k;
   real length = sqrt(t * t + 4 * nk * nk);
   if (t >= 0) {
@@ -33,18 +33,18 @@ vec3 film_root(real c, real n, real k) {
 
 // Returns the amplitudes at the base for one channel: of s- and, if `is_p`, p-polarised light that the film
 // refracts; `normal` is the film's index times the cosine in it.
-vec3 film_base(real c, real normal, real film, real n, real k, bool is_p) {
-  vec3 root = film_root(c, n, k);
+vec3 film_base(real c, real s2, real normal, real film, real n, real k, bool is_p) {
+  vec3 root = film_root(c, s2, n, k);
   if (!is_p) return film_amplitude(normal, real(0), root.x, root.y);
   real film2 = film * film;
   return film_amplitude((n - k) * (n + k) * normal, 2 * n * k * normal, film2 * root.x, film2 * root.y);
 }
 
-FilmSides film_sides(real c, real normal, real film, vec3 n, vec3 k, bool is_p) {
+FilmSides film_sides(real c, real s2, real normal, real film, vec3 n, vec3 k, bool is_p) {
   real film2 = is_p ? film * film : real(1);
-  vec3 red = film_base(c, normal, film, n.x, k.x, is_p);
-  vec3 green = film_base(c, normal, film, n.y, k.y, is_p);
-  vec3 blue = film_base(c, normal, film, n.z, k.z, is_p);
+  vec3 red = film_base(c, s2, normal, film, n.x, k.x, is_p);
+  vec3 green = film_base(c, s2, normal, film, n.y, k.y, is_p);
+  vec3 blue = film_base(c, s2, normal, film, n.z, k.z, is_p);
   FilmSides sides;
   sides.front = (film2 * c - normal) / (film2 * c + normal);
   sides.base_real = vec3(red.x, green.x, blue.x);
@@ -74,13 +74,13 @@ vec3 film_wave(real phase, FilmSides s, FilmSides p) {
   return (film_reflected(s, cosine, sine) + film_reflected(p, cosine, sine)) * real(0.5f);
 }
 
-// Returns the reflectance for light at the angle of this cosine, of a film this many nanometres thick.
-// Wavelengths are weighted as in linear sRGB, with numbers from scripts/sum_film_waves; colours beyond it are
-// clamped.
-vec3 film_reflectance(real c, real thickness, real film, vec3 n, vec3 k) {
+// Returns the reflectance for light at the angle of this cosine and squared sine, of a film this many
+// nanometres thick. Wavelengths are weighted as in linear sRGB, with numbers from scripts/sum_film_waves;
+// colours beyond it are clamped.
+vec3 film_reflectance(real c, real s2, real thickness, real film, vec3 n, vec3 k) {
   real normal = sqrt((film - 1) * (film + 1) + c * c);
-  FilmSides s = film_sides(c, normal, film, n, k, false);
-  FilmSides p = film_sides(c, normal, film, n, k, true);
+  FilmSides s = film_sides(c, s2, normal, film, n, k, false);
+  FilmSides p = film_sides(c, s2, normal, film, n, k, true);
   real path = 4 * PI * thickness * normal;
   real first = path / 720;
   real apart = path * (real(1) / 385 - real(1) / 720) / 27;
@@ -119,16 +119,23 @@ vec3 film_reflectance(real c, real thickness, real film, vec3 n, vec3 k) {
 // Returns the mean over the hemisphere, weighted by the cosine: by the Gauss-Legendre rule of two values of
 // its square.
 vec3 film_mean(real thickness, real film, vec3 n, vec3 k) {
-  vec3 flat_half = film_reflectance(real(0.45970084f), thickness, film, n, k);
-  vec3 steep_half = film_reflectance(real(0.88807383f), thickness, film, n, k);
+  vec3 flat_half = film_reflectance(real(0.45970084f), real(0.78867513f), thickness, film, n, k);
+  vec3 steep_half = film_reflectance(real(0.88807383f), real(0.21132487f), thickness, film, n, k);
   return (flat_half + steep_half) * real(0.5f);
+}
+
+// Returns the reflectance of a facet that reflects v to u. u - v gives the sine without cancellation.
+vec3 film_at_half(vec3 u, vec3 v, real thickness, real film, vec3 n, vec3 k) {
+  vec3 e = u - v;
+  real s2 = min(real(1), (e.x * e.x + e.y * e.y + e.z * e.z) / 4);
+  return film_reflectance(cosine_at_half(u, v), s2, thickness, film, n, k);
 }
 
 // Evaluates the BRDF from what depends on the parameters alone, as `ggx_prepared`.
 vec3 thinfilm_prepared(vec3 u, vec3 v, vec3 rough, real alpha, real thickness, real film, vec3 n, vec3 k,
                        vec3 ks, vec3 further) {
   if (below_horizon(u, v)) return vec3(0);
-  vec3 reflectance = film_reflectance(cosine_at_half(u, v), thickness, film, n, k);
+  vec3 reflectance = film_at_half(u, v, thickness, film, n, k);
   vec3 lobe = reflectance * ggx_facets(u, v, rough, real(0)) + further * ggx_further_lobe(u, v, alpha);
   return bounded(ks * lobe);
 }

@@ -56,7 +56,8 @@ struct ThinFilm : GgxFacets<ThinFilm> {
                                      "imaginary part of the base's index of refraction: 0 is a dielectric"),
                        reflectance_parameter(&ThinFilm::ks, "ks", "factor of the reflection")},
         .not_isotropic = "isotropic if alpha = ay",
-        .not_conserving = "a nearly white film reflects up to 1.002, and up to 1.07 if it is very anisotropic",
+        .not_conserving =
+            "a nearly white film reflects up to 1.002, and up to 1.07 if it is very anisotropic",
         .description =
             "Soap bubbles, oil on water, tempered steel, anodised titanium, pearls and beetles: the light "
             "that "
@@ -78,7 +79,7 @@ e = exp(4 pi i thickness sqrt(film^2 - sin^2)/l), a: amplitude at the film's fro
 
   /// Computes what depends on the parameters alone, after they were set.
   void prepare() {
-    prepare_facets(Rgb(alpha, ay, 0), Formula().film_reflectance(1, thickness, film, nreal, nimag),
+    prepare_facets(Rgb(alpha, ay, 0), Formula().film_reflectance(1, 0, thickness, film, nreal, nimag),
                    Formula().film_mean(thickness, film, nreal, nimag));
   }
   ThinFilm() { prepare(); }
@@ -97,7 +98,7 @@ e = exp(4 pi i thickness sqrt(film^2 - sin^2)/l), a: amplitude at the film's fro
   bool is_anisotropic() const { return alpha != ay; }
 
   Rgb reflectance(const Vec3f& u, const Vec3f& v) const {
-    return Formula().film_reflectance(Formula().cosine_at_half(u, v), thickness, film, nreal, nimag);
+    return Formula().film_at_half(u, v, thickness, film, nreal, nimag);
   }
 
  private:

@@ -18,7 +18,7 @@ using FilmFormula = reflectance::glsl::ThinFilmFormula<double>;
 TEST(ThinFilm, IsTheBareBaseWithoutThickness) {
   for (const double c : {1.0, 0.7, 0.2, 0.01}) {
     for (const auto& [n, k] : {std::pair(1.5, 0.0), std::pair(0.2, 3.9), std::pair(0.7, 0.0)}) {
-      const V3d value = FilmFormula().film_reflectance(c, 0, 1.7, V3d(n), V3d(k));
+      const V3d value = FilmFormula().film_reflectance(c, 1 - c * c, 0, 1.7, V3d(n), V3d(k));
       for (int i = 0; i < 3; ++i)
         EXPECT_NEAR(value[i], FilmFormula().fresnel(c, n, k), 1e-6) << c << " " << n;
     }
@@ -27,9 +27,9 @@ TEST(ThinFilm, IsTheBareBaseWithoutThickness) {
 
 TEST(ThinFilm, OfTheIndexOfAirOrOfTheBaseIsNotSeen) {
   for (const double c : {1.0, 0.4, 0.05}) {
-    EXPECT_NEAR(FilmFormula().film_reflectance(c, 730, 1, V3d(1.5), V3d(0)).y,
+    EXPECT_NEAR(FilmFormula().film_reflectance(c, 1 - c * c, 730, 1, V3d(1.5), V3d(0)).y,
                 FilmFormula().fresnel(c, 1.5, 0), 1e-6);
-    EXPECT_NEAR(FilmFormula().film_reflectance(c, 730, 1.5, V3d(1.5), V3d(0)).y,
+    EXPECT_NEAR(FilmFormula().film_reflectance(c, 1 - c * c, 730, 1.5, V3d(1.5), V3d(0)).y,
                 FilmFormula().fresnel(c, 1.5, 0), 1e-6);
   }
 }
@@ -38,8 +38,8 @@ TEST(ThinFilm, OfTheIndexOfAirOrOfTheBaseIsNotSeen) {
 TEST(ThinFilm, OfAQuarterWaveReflectsNothing) {
   FilmFormula film;
   const auto of_phase = [&](double phase) {
-    const auto s = film.film_sides(1.0, 1.4, 1.4, V3d(1.96), V3d(0), false);
-    const auto p = film.film_sides(1.0, 1.4, 1.4, V3d(1.96), V3d(0), true);
+    const auto s = film.film_sides(1.0, 0.0, 1.4, 1.4, V3d(1.96), V3d(0), false);
+    const auto p = film.film_sides(1.0, 0.0, 1.4, 1.4, V3d(1.96), V3d(0), true);
     return film.film_wave(phase, s, p).x;
   };
   EXPECT_NEAR(of_phase(std::numbers::pi), 0, 1e-15);
@@ -88,8 +88,8 @@ TEST(ThinFilm, IsNearAFineSumOverWavelengths) {
           sum += rgb_of_wavelength(wavelength) * film_reflectance_at(wavelength, c, thickness, index, base);
           weights += rgb_of_wavelength(wavelength);
         }
-        const V3d value =
-            FilmFormula().film_reflectance(c, thickness, index, V3d(base.real()), V3d(base.imag()));
+        const V3d value = FilmFormula().film_reflectance(c, 1 - c * c, thickness, index, V3d(base.real()),
+                                                         V3d(base.imag()));
         for (int i = 0; i < 3; ++i) {
           EXPECT_NEAR(value[i], std::clamp(sum[i] / weights[i], 0.0, 1.0), thickness <= 500 ? 0.003 : 0.007)
               << thickness << " " << index << " " << c;
