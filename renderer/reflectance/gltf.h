@@ -56,7 +56,8 @@ struct Gltf {
              in_unit("rad", number_parameter(&Gltf::rotation, "rotation", -Pi, Pi,
                                              "angle from the tangent to x, anticlockwise")),
              number_parameter(&Gltf::clearcoat, "clearcoat", 0, 1, "strength of a clear coat"),
-             number_parameter(&Gltf::coat_roughness, "clearcoatRoughness", 0, 1, "roughness of the coat"),
+             number_parameter(&Gltf::coat_roughness, "coatRoughness", 0, 1, "roughness of the coat",
+                              grf::ParameterScale::Linear, {"clearcoatRoughness"}),
              reflectance_parameter(&Gltf::sheen_colour, "sheenColor", "colour of fibres on the surface"),
              number_parameter(&Gltf::sheen_roughness, "sheenRoughness", 0.01F, 1,
                               "roughness of the fibres, as of sheen")},
@@ -79,7 +80,8 @@ fb = F DG + k (1 - E(u)) (1 - E(v))/(pi (1 - m)) + (1 - metallic) baseColor/pi (
 F = S(F0) of the dielectric, or S(baseColor) of the metal;  S(x) = x + (S90 - x) (1 - u.h)^5
 F0 = specular min(1, specularColor ((ior-1)/(ior+1))^2);  DG = D G/(4 cu cv), k, E, m as of ggx
 Ec, Es, Ed: albedos of the coat, the fibres and the dielectric;  Em: the mean of Ed;  fs: sheen)",
-        .example = "gltf baseColor=(0.8, 0.25, 0.1) metallic=0 roughness=0.35 clearcoat=0.5",
+        .example =
+            "gltf baseColor=(0.8, 0.25, 0.1) metallic=0 roughness=0.35 clearcoat=0.5 coatRoughness=0.4",
     };
   }
 

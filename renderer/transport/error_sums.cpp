@@ -37,7 +37,7 @@ constexpr double Balance = 0.5;
 /// The hits per pixel along an edge, and the number of pixels, between which and from which on they are
 /// compared.
 constexpr double FewestHitsAlong = 0.05;
-constexpr double MostHitsAlong = 1.5;
+constexpr double MostHitsAlong = 0.75;
 constexpr int ComparedPixels = 5;
 /// The least radiance that a hit adds to such a pixel, relative to the dark side.
 constexpr double SeenHit = 0.5;

@@ -262,7 +262,7 @@ def gltf(p, u, v):
         value *= 1 - strongest * max(sheen_albedo(cos(w.theta), p.sheenRoughness) for w in (u, v))
         value += sheen(Parameters(rough=p.sheenRoughness, ks=p.sheenColor), u, v)
     if p.clearcoat > 0:
-        coat = max(1e-4, p.clearcoatRoughness ** 2)
+        coat = max(1e-4, p.coatRoughness ** 2)
         value *= 1 - p.clearcoat * max(facets(w.theta, coat, 0.04, 1, 0) for w in (u, v))
         value += p.clearcoat * schlick(0.04, 1) * white(coat, coat, 0)
     return value
@@ -463,12 +463,12 @@ DEFAULTS = {
     'eon': 'rough=0.5 kd=0.5',
     'sheen': 'rough=0.3 ks=1',
     'gltf': 'baseColor=1 metallic=0 roughness=0.5 ior=1.5 specular=1 specularColor=1 anisotropy=0 rotation=0 clearcoat=0 '
-            'clearcoatRoughness=0 sheenColor=0 sheenRoughness=0.3',
+            'coatRoughness=0 sheenColor=0 sheenRoughness=0.3',
     'thinfilm': 'alpha=0.1 ay=@alpha thickness=300 film=1.33 nreal=1.5 nimag=0 ks=1',
     'ggx': 'alpha=0.3 ay=@alpha anisotropy=0 rotation=0 nreal=1.5 nimag=0 F0=0 F82=1 ks=1 scattering=reciprocal',
 }
 ALIASES = {'torrance': {'m': 'rough'}, 'ashikhmin': {'nu': 'ex', 'nv': 'ey', 'ks': 'Rs', 'kd': 'Rd'}, 'coupled': {'Ro': 'R0'},
-           'ggx': {'ax': 'alpha', 'ior': 'nreal'}}
+           'ggx': {'ax': 'alpha', 'ior': 'nreal'}, 'gltf': {'clearcoatRoughness': 'coatRoughness'}}
 
 
 def to_float(text):

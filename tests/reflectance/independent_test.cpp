@@ -61,7 +61,9 @@ TEST_P(Independent, HasTheValuesOfThePaper) {
     const V3d v = in_double(pairs[i][2], pairs[i][3]);
     const V3d value = std::visit([&](const auto& model) { return model.evaluate(u, v); }, brdf_);
     const V3d expected = channels_of(instance_["values"][i]);
-    expect_channels(value, expected, 1e-6, " at " + pairs[i].dump());
+    // The weights of thinfilm's wavelengths have seven digits.
+    const bool is_film = instance_["brdf"].get<std::string>().starts_with("thinfilm");
+    expect_channels(value, expected, is_film ? 1e-5 : 1e-6, " at " + pairs[i].dump());
     expect_channels(evaluate(brdf_, Vec3f(u), Vec3f(v)), expected, 1e-3, " in float at " + pairs[i].dump());
   }
 }

@@ -43,7 +43,7 @@ DOCUMENTED = [
     'westin sigma=0.1 tau=3 nreal=0.617 nimag=2.63', 'granier nreal=(1.5, 1.51, 1.52) d=250 n=100 m=20 tilt=0 ks=1 kt=0.9 kd=0',
     'poulin d=2 h=0.01 n=100 ks=0.8 kd=0.2', 'he sigma=0.5 tau=3 lambda=800', 'eon rough=0.8 kd=0.9',
     'ggx alpha=0.3 nreal=0.617 nimag=2.63 ks=1', 'sheen rough=0.3 ks=1',
-    'gltf baseColor=(0.8, 0.25, 0.1) metallic=0 roughness=0.35 clearcoat=0.5',
+    'gltf baseColor=(0.8, 0.25, 0.1) metallic=0 roughness=0.35 clearcoat=0.5 coatRoughness=0.4',
     'thinfilm alpha=0.1 thickness=350 film=1.5 nreal=2.5 nimag=3.4 ks=1',
     'oren s=0 r=1', 'schlick SC=0.7 Sr=0.31 Sp=1 Ly=true DC=1 Dr=0 Dp=1',
 ]

@@ -120,7 +120,7 @@ const std::vector<Promise>& promises() {
        {{"strauss s=0.6 m=0 ks=1 kd=0"},
         {"ggx alpha=0.6 F0=1 scattering=scaled"},
         {"sheen"},
-        {"gltf sheenColor=1"},
+        {"gltf baseColor=0 specular=0 sheenColor=1"},
         {"0.1 diffuse + 0.5 strauss s=0.6 m=0 ks=1 kd=0"}},
        is_another_value_swapped},
       {"Conserving",
