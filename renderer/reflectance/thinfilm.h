@@ -46,7 +46,7 @@ struct ThinFilm : GgxFacets<ThinFilm> {
                                         "roughness along the tangent, as of ggx", Logarithmic, {"ax"}),
                        across,
                        in_unit("nm",
-                               number_parameter(&ThinFilm::thickness, "thickness", 0, 1000,
+                               number_parameter(&ThinFilm::thickness, "thickness", 1, 1000,
                                                 "thickness of the film", grf::ParameterScale::Linear, {"d"})),
                        number_parameter(&ThinFilm::film, "film", 1, 3, "index of refraction of the film"),
                        rgb_parameter(&ThinFilm::nreal, "nreal", 1e-3F, 100,

@@ -157,7 +157,7 @@ inline const std::vector<std::string>& hard_cases() {
       "gltf roughness=0 ior=1 sheenColor=1 sheenRoughness=0.01",
       "gltf roughness=1 ior=10 specularColor=25",
       "thinfilm alpha=0.0001 thickness=1000 film=3 nreal=0.001 nimag=100",
-      "thinfilm alpha=1 thickness=0 film=1 nreal=1.00001",
+      "thinfilm alpha=1 thickness=1 film=1 nreal=1.00001",
       "sheen rough=0.01",
       "ggx alpha=1 ay=0.0001 nreal=0.001 nimag=100",
       "ggx alpha=0.3 anisotropy=1 rotation=3 F0=1",
