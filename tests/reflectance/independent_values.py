@@ -240,7 +240,7 @@ def check_document(table):
             if len(channels) != len(got) or not all(
                     isinstance(b, float) and abs(a - b) <= 6e-4 + 2e-3 * b for a, b in zip(got, channels)):
                 failures.append(f'{DOCUMENT}: {text}: {got}, expected {right}')
-    return failures + ([] if seen == 43 else [f'{DOCUMENT}: {seen} rows of albedos, expected 41'])
+    return failures + ([] if seen == 43 else [f'{DOCUMENT}: {seen} rows of albedos, expected 43'])
 
 
 def same_for_all_spellings(text):
