@@ -8,15 +8,20 @@ vec3 ggx_tinted(vec3 normal, vec3 dip, real c) {
   return max(normal + (vec3(1) - normal) * power5 - dip * (c * power5 * rest), real(0));
 }
 
-// Returns the dip with which Schlick's approximation has the value `at_82` at acos(1/7), 82 degrees.
+// Returns Schlick's approximation at acos(1/7), 82 degrees.
+vec3 ggx_schlick_at_82(vec3 normal) { return normal + (vec3(1) - normal) * (real(7776) / 16807); }
+
+// Returns the dip with which Schlick's approximation has the value `at_82` there.
 vec3 ggx_dip(vec3 normal, vec3 at_82) {
-  real power5 = real(7776) / 16807;
-  return (normal + (vec3(1) - normal) * power5 - at_82) * (real(823543) / 46656);
+  return (ggx_schlick_at_82(normal) - at_82) * (real(823543) / 46656);
 }
+
+// Returns true if the reflectance at normal incidence is given.
+bool ggx_has_colour(vec3 f0) { return f0.x > 0 || f0.y > 0 || f0.z > 0; }
 
 // Returns the reflectance at normal incidence, by the index of refraction if none is given.
 vec3 ggx_at_normal(vec3 n, vec3 k, vec3 f0) {
-  if (f0.x > 0 || f0.y > 0 || f0.z > 0) return f0;
+  if (ggx_has_colour(f0)) return f0;
   vec3 k2 = k * k;
   vec3 less = n - vec3(1);
   vec3 more = n + vec3(1);
@@ -33,20 +38,15 @@ vec3 ggx_fresnel(real c, real s2, vec3 n, vec3 k) {
 // Returns the reflectance of a facet that reflects v to u.
 vec3 ggx_reflectance(vec3 u, vec3 v, vec3 n, vec3 k, vec3 f0, vec3 f82) {
   real c = cosine_at_half(u, v);
-  if (f0.x > 0 || f0.y > 0 || f0.z > 0) {
-    vec3 schlick = f0 + (vec3(1) - f0) * (real(7776) / 16807);
-    return ggx_tinted(f0, ggx_dip(f0, f82 * schlick), c);
-  }
-  vec3 e = u - v;
-  return ggx_fresnel(c, min(real(1), (e.x * e.x + e.y * e.y + e.z * e.z) / 4), n, k);
+  if (ggx_has_colour(f0)) return ggx_tinted(f0, ggx_dip(f0, f82 * ggx_schlick_at_82(f0)), c);
+  return ggx_fresnel(c, squared_sine_at_half(u, v), n, k);
 }
 
 // Returns the mean reflectance of facets over the hemisphere, weighted by the cosine, by Schlick's
 // approximation with its dip at 82 degrees.
 vec3 ggx_mean_reflectance(vec3 n, vec3 k, vec3 f0, vec3 f82) {
   vec3 normal = ggx_at_normal(n, k, f0);
-  vec3 at_82 = f82 * (normal + (vec3(1) - normal) * (real(7776) / 16807));
-  if (!(f0.x > 0 || f0.y > 0 || f0.z > 0)) at_82 = ggx_fresnel(real(1) / 7, real(48) / 49, n, k);
+  vec3 at_82 = ggx_has_colour(f0) ? f82 * ggx_schlick_at_82(f0) : ggx_fresnel(real(1) / 7, real(48) / 49, n, k);
   vec3 mean_value = normal + (vec3(1) - normal) / real(21) - ggx_dip(normal, at_82) / real(126);
   return min(max(mean_value, real(0)), real(1));
 }

@@ -156,8 +156,7 @@ class GgxFacets {
   /// The value of what facets scatter to each other.
   Rgb further_value(const Vec3f& u, const Vec3f& v) const {
     if (model().scattering != Reciprocal) return Rgb(0);
-    return model().ks * further_ *
-           (Formula().ggx_missing(u.z, mean_rough_) * Formula().ggx_missing(v.z, mean_rough_));
+    return model().ks * further_ * Formula().ggx_further_lobe(u, v, mean_rough_);
   }
   // Smooth facets scatter to each other near grazing only, at angles of about their slope, and rough ones at
   // all angles: the pdf of the cosine c is proportional to c/(c^2 + width^2).

@@ -74,8 +74,10 @@ vec3 gltf_base(vec3 u, vec3 v, vec3 rough, real rotation, vec3 base, real metall
   return value + base * ((1 - metallic) * transmitted / (PI * max(real(1e-4f), dielectric.z)));
 }
 
+// Evaluates the material from what depends on the parameters alone: the roughness of the facets and of the coat,
+// and what the functions above return.
 vec3 gltf_prepared(vec3 u, vec3 v, vec3 rough, real rotation, vec3 base, real metallic, vec3 normal, real specular,
-                   real clearcoat, real coat_roughness, vec3 sheen_colour, real sheen_roughness, vec3 further,
+                   real clearcoat, vec3 coat, vec3 sheen_colour, real sheen_roughness, vec3 further,
                    vec3 dielectric) {
   if (below_horizon(u, v)) return vec3(0);
   vec3 value = gltf_base(u, v, rough, rotation, base, metallic, normal, specular, further, dielectric);
@@ -86,7 +88,6 @@ vec3 gltf_prepared(vec3 u, vec3 v, vec3 rough, real rotation, vec3 base, real me
             sheen_colour * (fibres * sheen_lobe(u, v, sheen_roughness));
   }
   if (clearcoat > 0) {
-    vec3 coat = gltf_rough(coat_roughness, real(0));
     real below = gltf_below(clearcoat * gltf_coat_albedo(u.z, coat.z), clearcoat * gltf_coat_albedo(v.z, coat.z));
     value = value * below + gltf_schlick(vec3(0.04f), vec3(1), cosine_at_half(u, v)) *
                                 (clearcoat * ggx_facets(u, v, coat, real(0)));
@@ -99,7 +100,8 @@ vec3 gltf(vec3 u, vec3 v, vec3 base, real metallic, real roughness, real ior, re
           real sheen_roughness) {
   vec3 rough = gltf_rough(roughness, anisotropy);
   vec3 normal = gltf_normal(ior, specular, specular_colour);
-  return gltf_prepared(u, v, rough, rotation, base, metallic, normal, specular, clearcoat, coat_roughness,
-                       sheen_colour, sheen_roughness, gltf_further(base, metallic, normal, specular, rough.z),
+  return gltf_prepared(u, v, rough, rotation, base, metallic, normal, specular, clearcoat,
+                       gltf_rough(coat_roughness, real(0)), sheen_colour, sheen_roughness,
+                       gltf_further(base, metallic, normal, specular, rough.z),
                        gltf_dielectric(normal, specular, rough.z));
 }

@@ -67,13 +67,10 @@ struct Gltf {
         .not_continuous = "as sheen",
         .description =
             "The material of glTF files, with the extensions ior, specular, anisotropy, sheen and clearcoat, "
-            "and "
-            "their names and ranges. GGX facets are a metal of the base's colour, or a dielectric over a "
-            "diffuse "
-            "base, or a mixture. As the format permits, energy is kept: light between facets is not lost, "
-            "and "
-            "the diffuse base, and all that is below fibres or a coat, gets what the layer above does not "
-            "reflect. Fibres are those of sheen, not of the format's Charlie lobe.",
+            "and their names and ranges. GGX facets are a metal of the base's colour, or a dielectric over a "
+            "diffuse base, or a mixture. As the format permits, energy is kept: light between facets is not "
+            "lost, and the diffuse base, and all that is below fibres or a coat, gets what the layer above "
+            "does not reflect. Fibres are those of sheen, not of the format's Charlie lobe.",
         .formula = R"(
 f = cc S(0.04) DG + (1 - cc max(Ec(u), Ec(v))) (sheenColor fs + (1 - s max(Es(u), Es(v))) fb)
 fb = F DG + k (1 - E(u)) (1 - E(v))/(pi (1 - m)) + (1 - metallic) baseColor/pi (1 - Ed(u)) (1 - Ed(v))/(1 - Em)
@@ -99,7 +96,7 @@ Ec, Es, Ed: albedos of the coat, the fibres and the dielectric;  Em: the mean of
   Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
     if constexpr (std::is_same_v<Real, float>) {
       return Formula().gltf_prepared(u, v, rough_, rotation, base, metallic, normal_, specular, clearcoat,
-                                     coat_roughness, sheen_colour, sheen_roughness, further_, dielectric_);
+                                     coat_rough_, sheen_colour, sheen_roughness, further_, dielectric_);
     } else {
       return glsl::GltfFormula<Real>().gltf(
           u, v, Vec3<Real>(base), Real(metallic), Real(roughness), Real(ior), Real(specular),

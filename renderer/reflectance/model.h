@@ -149,6 +149,12 @@ void visit_field(const Parameter<Model>& parameter, Visit visit) {
       parameter.field);
 }
 
+/// Lets a model compute what depends on its parameters alone. Whoever sets them calls this.
+template <class Model>
+void prepare(Model& model) {
+  if constexpr (requires { model.prepare(); }) model.prepare();
+}
+
 /// Makes a model from data that `grf::check` found valid: omitted values take their defaults.
 template <class Model>
 Model make(const grf::Model& data) {
@@ -168,7 +174,7 @@ Model make(const grf::Model& data) {
     if (argument == nullptr) continue;
     visit_field(parameter, [&](auto field) { assign(model.*field, argument->value, parameter.info); });
   }
-  if constexpr (requires { model.prepare(); }) model.prepare();
+  prepare(model);
   return model;
 }
 

@@ -129,7 +129,7 @@ Brdf brdf_of_values(std::size_t formula, std::span<const Rgb> values) {
       visit_field(parameter, [&](auto field) { assign_value(model.*field, values[k]); });
       ++k;
     }
-    if constexpr (requires { model.prepare(); }) model.prepare();
+    prepare(model);
     brdf = model;
     return true;
   });

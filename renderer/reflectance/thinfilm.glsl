@@ -18,23 +18,10 @@ vec3 film_amplitude(real a, real a_imaginary, real b, real b_imaginary) {
   return vec3(difference / square, 2 * (a_imaginary * b - a * b_imaginary) / square, 0);
 }
 
-// Returns the real and the imaginary part of sqrt((n + ik)^2 - s2), where c^2 = 1 - s2; see `fresnel`.
-vec3 film_root(real c, real s2, real n, real k) {
-  real t = n < real(0.5) ? n * n - (k * k + s2) : (n - 1) * (n + 1) - k * k + c * c;
-  real nk = n * k;
-  real length = sqrt(t * t + 4 * nk * nk);
-  if (t >= 0) {
-    real a = sqrt((length + t) / 2);
-    return vec3(a, a > 0 ? nk / a : real(0), 0);
-  }
-  real b = sqrt((length - t) / 2);
-  return vec3(nk / b, b, 0);
-}
-
 // Returns the amplitudes at the base for one channel: of s- and, if `is_p`, p-polarised light that the film
 // refracts; `normal` is the film's index times the cosine in it.
 vec3 film_base(real c, real s2, real normal, real film, real n, real k, bool is_p) {
-  vec3 root = film_root(c, s2, n, k);
+  vec3 root = fresnel_root(c, s2, n, k);
   if (!is_p) return film_amplitude(normal, real(0), root.x, root.y);
   real film2 = film * film;
   return film_amplitude((n - k) * (n + k) * normal, 2 * n * k * normal, film2 * root.x, film2 * root.y);
@@ -124,11 +111,9 @@ vec3 film_mean(real thickness, real film, vec3 n, vec3 k) {
   return (flat_half + steep_half) * real(0.5f);
 }
 
-// Returns the reflectance of a facet that reflects v to u. u - v gives the sine without cancellation.
+// Returns the reflectance of a facet that reflects v to u.
 vec3 film_at_half(vec3 u, vec3 v, real thickness, real film, vec3 n, vec3 k) {
-  vec3 e = u - v;
-  real s2 = min(real(1), (e.x * e.x + e.y * e.y + e.z * e.z) / 4);
-  return film_reflectance(cosine_at_half(u, v), s2, thickness, film, n, k);
+  return film_reflectance(cosine_at_half(u, v), squared_sine_at_half(u, v), thickness, film, n, k);
 }
 
 // Evaluates the BRDF from what depends on the parameters alone, as `ggx_prepared`.

@@ -44,7 +44,7 @@ class ModelGenerator {
         reflectance::visit_field(parameter, [&](auto field) { draw(parameter.info, model.*field); });
       }
     } while (is_wrong(model));
-    if constexpr (requires { model.prepare(); }) model.prepare();
+    reflectance::prepare(model);
     return model;
   }
 
