@@ -195,4 +195,17 @@ struct Pair {
 };
 std::vector<Pair> direction_pairs(int count, std::uint32_t seed);
 
+/// Returns pairs for which textbook forms are accurate.
+inline std::vector<Pair> easy_pairs() {
+  std::vector<Pair> pairs;
+  for (const double theta_u : {5.0, 40.0, 75.0}) {
+    for (const double theta_v : {10.0, 35.0, 80.0}) {
+      for (const double phi : {0.0, 50.0, 130.0, 200.0, 300.0}) {
+        pairs.push_back({direction(theta_u, 20), direction(theta_v, phi)});
+      }
+    }
+  }
+  return pairs;
+}
+
 }  // namespace test

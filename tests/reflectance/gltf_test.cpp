@@ -13,9 +13,7 @@ using reflectance::Brdf;
 
 using GltfInDouble = reflectance::glsl::GltfFormula<double>;
 
-double albedo_of(const std::string& text, double degrees) {
-  return test::albedo(test::brdf_of(text), test::direction(degrees, 25), 1e-6);
-}
+double albedo_of(const std::string& text, double degrees) { return test::albedo(text, degrees, 25, 1e-6); }
 
 // A metal of white facets with F0 = 0 reflects Schlick's second part alone.
 TEST(Gltf, KnowsWhatFacetsReflectAtGrazing) {

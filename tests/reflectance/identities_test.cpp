@@ -16,6 +16,7 @@ using reflectance::Brdf;
 using reflectance::Rgb;
 using reflectance::Vec3f;
 using test::brdf_of;
+using test::easy_pairs;
 using test::Pair;
 
 /// Returns the albedo of the first channel, with the delta part.
@@ -27,19 +28,6 @@ double albedo_with_specular(const std::string& text, double theta) {
   const statistics::Quadrature quadrature(reflected, reflectance::mirrored(u), depth > 0 ? 1e-7 : 1e-8,
                                           depth);
   return quadrature.over_hemisphere() + specular_weight(brdf, u).x;
-}
-
-/// Returns pairs for which textbook forms are accurate.
-std::vector<Pair> easy_pairs() {
-  std::vector<Pair> pairs;
-  for (const double theta_u : {5.0, 40.0, 75.0}) {
-    for (const double theta_v : {10.0, 35.0, 80.0}) {
-      for (const double phi : {0.0, 50.0, 130.0, 200.0, 300.0}) {
-        pairs.push_back({test::direction(theta_u, 20), test::direction(theta_v, phi)});
-      }
-    }
-  }
-  return pairs;
 }
 
 void expect_same(const std::string& one, const std::string& other, float tolerance) {
@@ -250,41 +238,6 @@ TEST(Oren, GainsAsMuchAsItsFitDoes) {
 }
 
 TEST(Eon, IsLambertForRoughness0) { expect_same("eon rough=0 kd=0.7", "diffuse kd=0.7", 1e-6F); }
-
-// Portsmouth, Kutz and Hill 2025: single scattering with s and t, and 1 less the albedos.
-TEST(Eon, IsAsPrinted) {
-  const Brdf brdf = brdf_of("eon rough=0.6 kd=0.8");
-  const double scale = 1 / (1 + (0.5 - 2 / (3 * M_PI)) * 0.6);
-  const auto albedo = [scale](double cosine) {
-    const double theta = std::acos(cosine);
-    const double sine = std::sin(theta);
-    const double slope = sine * (theta - sine * cosine);
-    return scale * (1 + 0.6 / M_PI * (slope + 2 / 3.0 * (sine / cosine * (1 - std::pow(sine, 3)) - sine)));
-  };
-  const double mean = scale * (1 + (2 / 3.0 - 28 / (15 * M_PI)) * 0.6);
-  const double further = 0.64 * mean / (1 - 0.8 * (1 - mean));
-  for (const Pair& pair : easy_pairs()) {
-    const Imath::V3d u(pair.u);
-    const Imath::V3d v(pair.v);
-    const double s = u.dot(v) - u.z * v.z;
-    const double t = s > 0 ? std::max(u.z, v.z) : 1;
-    const double expected =
-        0.8 * scale * (1 + 0.6 * s / t) + further * (1 - albedo(u.z)) * (1 - albedo(v.z)) / (1 - mean);
-    EXPECT_NEAR(evaluate(brdf, pair.u, pair.v).x, expected / M_PI, 1e-5);
-  }
-}
-
-// Light that facets scatter to each other meets their colour several times.
-TEST(Eon, SaturatesColoursTheRougherItIs) {
-  const auto ratio = [](const std::string& rough) {
-    const Brdf brdf = brdf_of("eon kd=(0.8, 0.4, 0.4) rough=" + rough);
-    const Rgb value = evaluate(brdf, test::direction(80, 0), test::direction(80, 180));
-    return value.x / value.y;
-  };
-  EXPECT_NEAR(ratio("0"), 2, 1e-5);
-  EXPECT_GT(ratio("0.5"), 2.01F);
-  EXPECT_GT(ratio("1"), ratio("0.5") + 0.01F);
-}
 
 TEST(Sheen, ReflectsItsAlbedo) {
   for (const double rough : {0.2, 0.5, 1.0}) {

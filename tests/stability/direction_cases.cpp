@@ -143,17 +143,22 @@ Errors smith_at_grazing() {
       });
 }
 
-/// Tests light from the eye's side, where the fit is largest.
-Errors oren_at_grazing() {
+/// Returns pairs that graze, from the eye's side (1) or from across the normal (-1).
+std::vector<Directions> grazing_pairs(float side) {
   Random random;
   std::vector<Directions> pairs;
   for (int i = 0; i < 10000; ++i) {
     const Vec3f u = random.direction(random.log_uniform(1e-6F, 1e-3F));
-    const Vec3f v(u.x, u.y, random.log_uniform(1e-6F, 1e-3F));
+    const Vec3f v(side * u.x, side * u.y, random.log_uniform(1e-6F, 1e-3F));
     pairs.push_back({u, v.normalized()});
   }
+  return pairs;
+}
+
+/// Tests light from the eye's side, where the fit is largest.
+Errors oren_at_grazing() {
   return compare(
-      pairs,
+      grazing_pairs(1),
       [](auto u, auto v) {
         using R = Real<decltype(u)>;
         return glsl::OrenFormula<R>().oren(u, v, R(0.5F), Imath::Vec3<R>(1)).x;
@@ -181,15 +186,8 @@ Errors oren_at_grazing() {
 
 /// Tests light from across the normal, where single and further scattering both vanish.
 Errors eon_at_grazing() {
-  Random random;
-  std::vector<Directions> pairs;
-  for (int i = 0; i < 10000; ++i) {
-    const Vec3f u = random.direction(random.log_uniform(1e-6F, 1e-3F));
-    const Vec3f v(-u.x, -u.y, random.log_uniform(1e-6F, 1e-3F));
-    pairs.push_back({u, v.normalized()});
-  }
   return compare(
-      pairs,
+      grazing_pairs(-1),
       [](auto u, auto v) {
         using R = Real<decltype(u)>;
         return glsl::EonFormula<R>().eon(u, v, R(1), Imath::Vec3<R>(1)).x;
