@@ -17,8 +17,9 @@ unsigned from_environment(const char* name, unsigned otherwise) {
 }
 
 void print_study(const std::string& name, const test::ErrorStudy& study) {
-  std::printf("%-28s inside %5.1f %%, stated / true %.2f, high / low %.2f\n", name.c_str(),
-              100 * study.coverage(), study.mean_quotient(), study.mean_width());
+  std::printf("%-28s inside %5.1f %%, above %4.1f %%, stated / true %.2f, high / low %.2f\n", name.c_str(),
+              100 * study.coverage(), 100.0 * study.above / study.runs, study.mean_quotient(),
+              study.mean_width());
   std::fflush(stdout);
 }
 

@@ -14,6 +14,7 @@ namespace test {
 struct ErrorStudy {
   int runs = 0;
   int inside = 0;                 ///< true errors within their interval
+  int above = 0;                  ///< true errors above it
   double quotients = 0;           ///< sum of estimated over true error
   double widths = 0;              ///< sum of the upper over the lower bound of intervals
   double stated = 0, actual = 0;  ///< sums of squared errors, relative to their scene's mean one
@@ -23,6 +24,7 @@ struct ErrorStudy {
   ErrorStudy& operator+=(const ErrorStudy& other) {
     runs += other.runs;
     inside += other.inside;
+    above += other.above;
     quotients += other.quotients;
     widths += other.widths;
     stated += other.stated;
@@ -93,6 +95,7 @@ inline StudiedScene study_intervals(const SampleScene& scene, int seeds, int sam
     const double squared = all.relmse(images[i], true, 1);
     const double error = std::sqrt(squared);
     study.inside += error >= estimates[i].low && error <= estimates[i].high ? 1 : 0;
+    study.above += error > estimates[i].high ? 1 : 0;
     // An image that is exact, with an estimate that says so, is perfect.
     const bool is_exact = error == 0 && estimates[i].high == 0;
     study.quotients += is_exact ? 1 : estimates[i].error / error;
