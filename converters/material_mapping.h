@@ -41,23 +41,6 @@ struct PhongMaterial {
   grf::SourceLocation location;
 };
 
-/// A microfacet material as in glTF: specular microfacets with Fresnel reflectance over a diffuse base. Light
-/// that the microfacets reflect does not reach the base.
-struct MicrofacetMaterial {
-  std::string name;
-  grf::Vec3d diffuse = grf::Vec3d(1);      ///< albedo of the diffuse base
-  grf::Vec3d specular = grf::Vec3d(0.04);  ///< Fresnel reflectance at normal incidence (F0)
-  double slope = 1;                        ///< roughness: RMS slope of the microfacets, 0 to 1
-  bool is_metal = false;                   ///< without a diffuse base
-  grf::Vec3d emission = grf::Vec3d(0);     ///< radiance, W/(sr m2)
-  std::optional<grf::Texture> map;         ///< multiplies the whole BRDF
-
-  std::string_view source;                 ///< the name of the format
-  std::vector<std::string> source_values;  ///< the original values of the file
-  std::vector<Loss> losses;                ///< losses of a face with this material
-  grf::SourceLocation location;
-};
-
 /// A material converted to GRF: a BRDF definition that faces refer to, and the attributes of those faces.
 struct MappedMaterial {
   grf::Definition definition;
@@ -70,7 +53,6 @@ struct MappedMaterial {
 
 /// Maps a material to the nearest BRDF, under its own name and with the original values in a comment.
 MappedMaterial map_material(const PhongMaterial& material);
-MappedMaterial map_material(const MicrofacetMaterial& material);
 
 /// Makes a material of which only the name is known.
 MappedMaterial unknown_material(const std::string& name, const grf::BrdfModel& brdf);
@@ -78,32 +60,8 @@ MappedMaterial unknown_material(const std::string& name, const grf::BrdfModel& b
 /// Returns GRF's default BRDF, `diffuse kd=0.5`, for faces without a known material.
 grf::BrdfModel default_brdf();
 
-// Inverse mappings, for formats that have such materials.
-
 /// Returns the Phong material with these lobes: the inverse of `map_material` for the BRDFs that it gives.
 /// Name, emission and image have their defaults.
 PhongMaterial phong_material(const BrdfLobes& lobes);
-
-/// Microfacets over a diffuse base: `diffuse` is the albedo of the base without the microfacets.
-struct MicrofacetValues {
-  grf::Vec3d diffuse = grf::Vec3d(0);
-  grf::Vec3d specular = grf::Vec3d(0);  ///< Fresnel reflectance at normal incidence (F0)
-  double slope = 1;
-};
-
-/// Returns the microfacets with these lobes: the inverse of `map_material`, except for its metals' index.
-MicrofacetValues microfacet_values(const BrdfLobes& lobes);
-
-/// The parameters of glTF's metallic-roughness materials, each 0 to 1.
-struct MetallicRoughness {
-  grf::Vec3d base_colour = grf::Vec3d(1);
-  double metallic = 1;
-  double roughness = 1;  ///< perceptual roughness, the square root of the slope
-};
-
-MetallicRoughness metallic_roughness(const MicrofacetValues& values);
-/// Converts back from metallic-roughness; `dielectric` is the F0 of non-metals.
-MicrofacetValues microfacet_values(const MetallicRoughness& material,
-                                   const grf::Vec3d& dielectric = grf::Vec3d(0.04));
 
 }  // namespace convert

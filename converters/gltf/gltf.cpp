@@ -31,7 +31,9 @@ Format common() {
   format.read = read_gltf;
   format.keeps =
       "all of a scene that came from GRF (in extras); else polygons as triangles, shared vertices, normals, "
-      "texture coordinates, vertex colours, textures, names, transforms, instances, materials, emission";
+      "texture coordinates, vertex colours, textures, names, transforms, instances, materials with clear "
+      "coats, "
+      "sheen and anisotropy, emission";
   format.loses =
       "maps other than of the base colour, transparency, points, lines, cameras, point lights, animations; "
       "for other programs: BRDFs that are not metallic-roughness, sampling schemes, irradiance";

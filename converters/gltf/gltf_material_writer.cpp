@@ -4,12 +4,13 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "converters/gltf/gltf_brdf.h"
 #include "converters/gltf/gltf_images.h"
-#include "converters/material_mapping.h"
 #include "converters/text_encoding.h"
 #include "converters/wording.h"
 #include "grf/keywords.h"
@@ -21,12 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Clamps a factor to glTF's range, 0 to 1.
-double in_unit(double x) { return std::isfinite(x) ? std::clamp(x, 0.0, 1.0) : 0.0; }
-
-json factors(const grf::Vec3d& v) {
-  return {rounded_factor(in_unit(v.x)), rounded_factor(in_unit(v.y)), rounded_factor(in_unit(v.z))};
-}
+json factors(const grf::Vec3d& v) { return {rounded_factor(v.x), rounded_factor(v.y), rounded_factor(v.z)}; }
 
 void extend(json& material, json& root, const char* name, json values) {
   material["extensions"][name] = std::move(values);
@@ -47,19 +43,76 @@ void emit(json& material, json& root, const grf::Colour& radiance) {
   extend(material, root, "KHR_materials_emissive_strength", {{"emissiveStrength", strength}});
 }
 
+/// Adds the extensions for values that metallic-roughness alone does not have.
+void add_extensions(json& material, json& root, const GltfBrdf& values) {
+  const GltfBrdf defaults;
+  if (values.ior != defaults.ior) {
+    extend(material, root, "KHR_materials_ior", {{"ior", rounded_factor(values.ior)}});
+  }
+  json specular = json::object();
+  if (values.specular != 1) specular["specularFactor"] = rounded_factor(values.specular);
+  if (values.specular_colour != grf::Vec3d(1)) {
+    specular["specularColorFactor"] = factors(values.specular_colour);
+  }
+  if (!specular.empty()) extend(material, root, "KHR_materials_specular", specular);
+  if (values.anisotropy > 0) {
+    // Rounding pi up would turn the direction round.
+    const double rotation = std::clamp(rounded_factor(values.rotation), -std::numbers::pi, std::numbers::pi);
+    extend(material, root, "KHR_materials_anisotropy",
+           {{"anisotropyStrength", rounded_factor(values.anisotropy)}, {"anisotropyRotation", rotation}});
+  }
+  if (values.clearcoat > 0) {
+    extend(material, root, "KHR_materials_clearcoat",
+           {{"clearcoatFactor", rounded_factor(values.clearcoat)},
+            {"clearcoatRoughnessFactor", rounded_factor(values.coat_roughness)}});
+  }
+  if (values.sheen_colour != grf::Vec3d(0)) {
+    extend(material, root, "KHR_materials_sheen",
+           {{"sheenColorFactor", factors(values.sheen_colour)},
+            {"sheenRoughnessFactor", rounded_factor(values.sheen_roughness)}});
+  }
+}
+
+/// Returns the values of a surface's material. Without a BRDF it is grey, or black if it emits.
+GltfBrdf values_of(const grf::ResolvedSurface& surface) {
+  GltfBrdf values = surface.brdf != nullptr
+                        ? nearest_gltf(*surface.brdf, surface.brdf_scope)
+                        : nearest_gltf(BrdfLobes{.diffuse = grf::Vec3d(surface.emission ? 0 : 0.5)});
+  values.base *= grf::Vec3d(surface.colour);
+  normalise(values);
+  return values;
+}
+
 /// The table of conversions by `GltfMaterialWriter::material`.
-constexpr std::array<MaterialRule, 6> GltfWriterRules = {{
-    {"a diffuse lobe m under a glossy lobe g",
-     "D = m/(1 - g) and F0 = g, solved for base colour and metallic", "brdf ashikhmin ex=30 Rs=0.04 Rd=0.5",
+constexpr std::array<MaterialRule, 8> GltfWriterRules = {{
+    {"`gltf`", "exactly its values", "brdf gltf baseColor=(1, 0.5, 0.25) metallic=0.5 roughness=0.25",
+     "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0.5, "
+     "\"roughnessFactor\": 0.25}",
+     ""},
+    {"its other values, if they are not defaults",
+     "`KHR_materials_ior`, `KHR_materials_specular`, `KHR_materials_anisotropy`, `KHR_materials_clearcoat`, "
+     "`KHR_materials_sheen`",
+     "brdf gltf ior=3 specular=0.5 specularColor=(1, 2, 4) anisotropy=0.5 rotation=-0.25 clearcoat=0.5 "
+     "coatRoughness=0.25 sheenColor=0.5 sheenRoughness=0.75",
+     "\"extensions\": {\"KHR_materials_ior\": {\"ior\": 3}, \"KHR_materials_specular\": {\"specularFactor\": "
+     "0.5, \"specularColorFactor\": [1, 2, 4]}, \"KHR_materials_anisotropy\": {\"anisotropyStrength\": 0.5, "
+     "\"anisotropyRotation\": -0.25}, \"KHR_materials_clearcoat\": {\"clearcoatFactor\": 0.5, "
+     "\"clearcoatRoughnessFactor\": 0.25}, \"KHR_materials_sheen\": {\"sheenColorFactor\": [0.5, 0.5, 0.5], "
+     "\"sheenRoughnessFactor\": 0.75}}",
+     ""},
+    {"others, a diffuse lobe m under a glossy lobe g",
+     "m = 0.96 x base colour x (1 - metallic) and g = 0.04 x (1 - metallic) + base colour x metallic, solved "
+     "for both",
+     "brdf ashikhmin ex=30 Rs=0.04 Rd=0.5",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], \"metallicFactor\": 0, "
      "\"roughnessFactor\": 0.5}",
      ""},
-    {"the glossy lobe's exponent h",
+    {"others, the glossy lobe's exponent h",
      "`roughnessFactor` = (2/(h + 2))^(1/4); 0 for perfect specular reflection", "brdf specular ks=0.5",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], \"metallicFactor\": 1, "
      "\"roughnessFactor\": 0}",
      ""},
-    {"no highlight", "`roughnessFactor` 1, and `KHR_materials_specular` with `specularFactor` 0",
+    {"others, no highlight", "`roughnessFactor` 1, and `KHR_materials_specular` with `specularFactor` 0",
      "brdf diffuse kd=0.25",
      "\"extensions\": {\"KHR_materials_specular\": {\"specularFactor\": 0}}, \"pbrMetallicRoughness\": "
      "{\"baseColorFactor\": [0.25, 0.25, 0.25, 1], \"metallicFactor\": 0, \"roughnessFactor\": 1}",
@@ -94,14 +147,11 @@ int GltfMaterialWriter::add(json material) {
 
 int GltfMaterialWriter::material(const grf::Surface& surface, const grf::Scope& scope) {
   const grf::ResolvedSurface resolved = grf::resolve(surface, scope);
-  MicrofacetValues facets{grf::Vec3d(resolved.emission ? 0 : 0.5), grf::Vec3d(0), 1};
-  if (resolved.brdf != nullptr) facets = microfacet_values(brdf_lobes(*resolved.brdf, resolved.brdf_scope));
-  MetallicRoughness values = metallic_roughness(facets);
-  values.base_colour *= grf::Vec3d(resolved.colour);
+  const GltfBrdf values = values_of(resolved);
   json material;
   const std::string name = name_of(surface);
   if (!name.empty()) material["name"] = to_utf8(name);
-  json base = factors(values.base_colour);
+  json base = factors(values.base);
   base.push_back(1);
   json& pbr = material["pbrMetallicRoughness"];
   pbr = {{"baseColorFactor", base},
@@ -111,10 +161,7 @@ int GltfMaterialWriter::material(const grf::Surface& surface, const grf::Scope& 
     const int place = texture(resolved.texture->file);
     if (place >= 0) pbr["baseColorTexture"] = {{"index", place}};
   }
-  // Without this, diffuse materials would have a specular reflectance of 0.04.
-  if (facets.specular == grf::Vec3d(0)) {
-    extend(material, document_.json(), "KHR_materials_specular", {{"specularFactor", 0}});
-  }
+  add_extensions(material, document_.json(), values);
   // Reflectance is two-sided in GRF, and emission is not.
   material["doubleSided"] = !resolved.emission;
   if (resolved.emission) emit(material, document_.json(), *resolved.emission);

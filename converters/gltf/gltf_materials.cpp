@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
+#include <numbers>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "converters/gltf/gltf_brdf.h"
+#include "converters/mapping_helpers.h"
 #include "converters/wording.h"
 #include "grf/read.h"
 
@@ -15,6 +20,9 @@ namespace convert {
 namespace {
 
 using tinygltf::Value;
+
+/// The `specularColor` that makes any reflectance at the default index of refraction, 0.04, at least 1.
+constexpr double ColourOfFullReflectance = 25;
 
 /// Returns a member of an extension as a number, if it is finite.
 double number(const Value& object, const std::string& name, double otherwise) {
@@ -62,77 +70,121 @@ TextureLookup lookup_of(int set, const Value* transform) {
 
 std::string joined(const std::vector<double>& values) { return fmt::format("{}", fmt::join(values, " ")); }
 
-/// The table of conversions by `Reading` and the mapping.
-constexpr std::array<MaterialRule, 15> GltfRules = {{
-    {"metallic = 1, or D = 0 of specular-glossiness", "`torrance rough=a nreal=1 nimag=100 ks=F0 kd=0`",
-     "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"roughnessFactor\": 0.5}",
-     "torrance rough=0.25 nreal=1 nimag=100 ks=(1, 0.5, 0.25) kd=0", ""},
-    {"the same, a < 0.0001", "`specular ks=F0`", "\"pbrMetallicRoughness\": {\"roughnessFactor\": 0}",
-     "specular ks=1", ""},
-    {"others", "`ashikhmin ex=2/a^2-2 Rs=F0 Rd=D`",
-     "\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"roughnessFactor\": 0.5}",
-     "ashikhmin ex=30 Rs=0.04 Rd=1", ""},
-    {"the same, where `ex` would pass 1000000", "`coupled Rm=D R0=F0`",
-     "\"pbrMetallicRoughness\": {\"metallicFactor\": 0.5, \"roughnessFactor\": 0}", "coupled Rm=0.5 R0=0.52",
-     ""},
-    {"`KHR_materials_ior`, `KHR_materials_specular`", "they change the 0.04",
-     "\"extensions\": {\"KHR_materials_ior\": {\"ior\": 3}}, \"pbrMetallicRoughness\": {\"metallicFactor\": "
-     "0, \"roughnessFactor\": 0.5}",
-     "ashikhmin ex=30 Rs=0.25 Rd=1", ""},
-    {"`KHR_materials_pbrSpecularGlossiness`", "read instead of metallic-roughness",
-     "\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\": {\"specularFactor\": [0.25, 0.25, 0.25], "
-     "\"glossinessFactor\": 0.5}}",
-     "ashikhmin ex=30 Rs=0.25 Rd=1", ""},
-    {"F0 = 0", "`diffuse kd=D`",
+/// The table of conversions by `Reading`.
+constexpr std::array<MaterialRule, 20> GltfRules = {{
+    {"metallic-roughness", "`gltf` with its values, without those that are defaults of the BRDF",
+     "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0.5, "
+     "\"roughnessFactor\": 0.25}",
+     "gltf baseColor=(1, 0.5, 0.25) metallic=0.5 roughness=0.25", ""},
+    {"absent values", "the defaults of glTF, `metallic=1 roughness=1`", "\"name\": \"plain\"",
+     "gltf metallic=1 roughness=1", ""},
+    {"`roughnessFactor` = 0", "`roughness=0`, a highlight that is blurred by 0.01 degrees",
+     "\"pbrMetallicRoughness\": {\"roughnessFactor\": 0}", "gltf metallic=1 roughness=0", ""},
+    {"`KHR_materials_ior`", "`ior`",
+     "\"extensions\": {\"KHR_materials_ior\": {\"ior\": 3}}, \"pbrMetallicRoughness\": "
+     "{\"metallicFactor\": 0}",
+     "gltf roughness=1 ior=3", ""},
+    {"the same, `ior` = 0 or over 10", "a factor of `specularColor`",
+     "\"extensions\": {\"KHR_materials_ior\": {\"ior\": 0}, \"KHR_materials_specular\": "
+     "{\"specularColorFactor\": [0.5, 0.5, 0.5]}}, \"pbrMetallicRoughness\": {\"metallicFactor\": 0}",
+     "gltf roughness=1 specularColor=12.5", ""},
+    {"`KHR_materials_specular`", "`specular` and `specularColor`",
+     "\"extensions\": {\"KHR_materials_specular\": {\"specularFactor\": 0.5, \"specularColorFactor\": "
+     "[1, 2, 4]}}, \"pbrMetallicRoughness\": {\"metallicFactor\": 0}",
+     "gltf roughness=1 specular=0.5 specularColor=(1, 2, 4)", ""},
+    {"the same, `specularFactor` = 0 and metallic = 0, without coat and sheen",
+     "`diffuse kd=baseColor`, which is the same",
      "\"extensions\": {\"KHR_materials_specular\": {\"specularFactor\": 0}}, \"pbrMetallicRoughness\": "
      "{\"metallicFactor\": 0}",
      "diffuse kd=1", ""},
-    {"`KHR_materials_unlit`", "`diffuse kd=D`, lost",
-     "\"extensions\": {\"KHR_materials_unlit\": {}}, \"pbrMetallicRoughness\": {\"metallicFactor\": 0}",
-     "diffuse kd=1", "unlit shading"},
+    {"`KHR_materials_anisotropy`",
+     "`anisotropy` and `rotation`, about the direction in which u of the texture coordinates grows",
+     "\"extensions\": {\"KHR_materials_anisotropy\": {\"anisotropyStrength\": 0.5, "
+     "\"anisotropyRotation\": -0.25}}",
+     "gltf metallic=1 roughness=1 anisotropy=0.5 rotation=-0.25", ""},
+    {"`KHR_materials_clearcoat`", "`clearcoat` and `coatRoughness`",
+     "\"extensions\": {\"KHR_materials_clearcoat\": {\"clearcoatFactor\": 0.5, "
+     "\"clearcoatRoughnessFactor\": 0.25}}",
+     "gltf metallic=1 roughness=1 clearcoat=0.5 coatRoughness=0.25", ""},
+    {"`KHR_materials_sheen`",
+     "`sheenColor` and `sheenRoughness`, at least 0.01; the shape of its lobe differs",
+     "\"extensions\": {\"KHR_materials_sheen\": {\"sheenColorFactor\": [0.5, 0.25, 0], "
+     "\"sheenRoughnessFactor\": 0.75}}",
+     "gltf metallic=1 roughness=1 sheenColor=(0.5, 0.25, 0) sheenRoughness=0.75", ""},
+    {"`KHR_materials_pbrSpecularGlossiness`",
+     "read instead of metallic-roughness: `gltf baseColor=D specularColor=25*F0 roughness=1-glossiness`",
+     "\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\": {\"diffuseFactor\": [0.5, 0.5, 0.5, 1], "
+     "\"specularFactor\": [0.25, 0.25, 0.25], \"glossinessFactor\": 0.75}}",
+     "gltf baseColor=0.5 roughness=0.25 specularColor=6.25", ""},
+    {"`KHR_materials_unlit`", "`diffuse kd=baseColor`, lost",
+     "\"extensions\": {\"KHR_materials_unlit\": {}}, \"pbrMetallicRoughness\": {\"baseColorFactor\": "
+     "[0.5, 0.5, 0.5, 1]}",
+     "diffuse kd=0.5", "unlit shading"},
     {"`baseColorTexture`", "`texture`, which multiplies all of the BRDF",
      "\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorTexture\": {\"index\": 0}}",
-     "ashikhmin ex=0 Rs=0.04 Rd=1 texture \"wood.png\"", ""},
+     "gltf roughness=1 texture \"wood.png\"", ""},
     {"`emissiveFactor` times `emissiveStrength` > 0", "`light rgb` on the faces",
      "\"emissiveFactor\": [1, 0.5, 0], \"extensions\": {\"KHR_materials_emissive_strength\": "
      "{\"emissiveStrength\": 8}}",
-     "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0 light rgb (8, 4, 0)", ""},
+     "gltf metallic=1 roughness=1 light rgb (8, 4, 0)", ""},
     {"`emissiveTexture`", "lost, and the emission with it",
-     "\"emissiveFactor\": [1, 1, 1], \"emissiveTexture\": {\"index\": 0}",
-     "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0", "map of emission"},
-    {"alpha", "lost", "\"alphaMode\": \"BLEND\"", "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0",
-     "transparency"},
-    {"other maps", "lost", "\"normalTexture\": {\"index\": 0}",
-     "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0", "normal map"},
-    {"other extensions", "lost", "\"extensions\": {\"KHR_materials_sheen\": {}}",
-     "torrance rough=1 nreal=1 nimag=100 ks=1 kd=0", "what KHR_materials_sheen says"},
+     "\"emissiveFactor\": [1, 1, 1], \"emissiveTexture\": {\"index\": 0}", "gltf metallic=1 roughness=1",
+     "map of emission"},
+    {"alpha", "lost", "\"alphaMode\": \"BLEND\"", "gltf metallic=1 roughness=1", "transparency"},
+    {"other maps, also of extensions", "lost", "\"normalTexture\": {\"index\": 0}",
+     "gltf metallic=1 roughness=1", "normal map"},
+    {"other extensions", "lost", "\"extensions\": {\"KHR_materials_transmission\": {}}",
+     "gltf metallic=1 roughness=1", "what KHR_materials_transmission says"},
+    {"values out of range", "clamped", "\"pbrMetallicRoughness\": {\"roughnessFactor\": 1.5}",
+     "gltf metallic=1 roughness=1", "out of range"},
     {"`extras` with a BRDF, and the values that were written with it", "exactly that BRDF",
-     "\"extras\": {\"grf\": {\"brdf\": \"oren r=0.5\"}}, \"pbrMetallicRoughness\": {\"baseColorFactor\": "
-     "[0.5, 0.5, 0.5, 1], \"metallicFactor\": 0}",
+     "\"extras\": {\"grf\": {\"brdf\": \"oren r=0.5\"}}, \"extensions\": {\"KHR_materials_specular\": "
+     "{\"specularFactor\": 0}}, \"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], "
+     "\"metallicFactor\": 0}",
      "oren r=0.5", ""},
 }};
 
-/// Converts one material of the file to the input of the mapping.
+/// Extensions of materials that are read.
+constexpr std::array<std::string_view, 8> ReadExtensions = {"pbrSpecularGlossiness",
+                                                            "unlit",
+                                                            "emissive_strength",
+                                                            "ior",
+                                                            "specular",
+                                                            "anisotropy",
+                                                            "clearcoat",
+                                                            "sheen"};
+
+/// Converts one material of the file.
 class Reading {
  public:
-  Reading(const tinygltf::Material& source, const GltfImages& images) : source_(source), images_(images) {}
-
-  MicrofacetMaterial run() {
-    material_.name = source_.name;
-    material_.source = "glTF";
+  Reading(const tinygltf::Material& source, const GltfImages& images) : source_(source), images_(images) {
     if (const Value* glossiness = extension_of(source_, "pbrSpecularGlossiness")) {
       read(*glossiness);
     } else {
       read(source_.pbrMetallicRoughness);
+      read_dielectric();
     }
+    read_layers();
+    is_clamped_ = normalise(values_);
     if (extension_of(source_, "unlit") != nullptr) {
-      material_.specular = grf::Vec3d(0);
+      is_unlit_ = true;
       lose(Loss::Unlit);
       say("unlit");
     }
     read_emission();
     count_losses();
-    return std::move(material_);
+  }
+
+  MappedMaterial material(const std::string& name, const std::string& path) const {
+    MappedMaterial material = named_material(name, "glTF", said_);
+    material.definition.location = grf::whole_file(path);
+    material.losses = losses_;
+    material.texture = map_;
+    material.clamped = is_clamped_;
+    material.definition.body =
+        is_unlit_ ? make_brdf("diffuse", {{"kd", to_value(values_.base)}}) : to_brdf(values_);
+    finish(emission_, material);
+    return material;
   }
 
   const TextureLookup& lookup() const { return lookup_; }
@@ -155,9 +207,9 @@ class Reading {
   std::vector<std::string> lost_extensions() const {
     std::vector<std::string> lost;
     for (const auto& [name, extension] : source_.extensions) {
-      const bool is_read = name == "KHR_materials_pbrSpecularGlossiness" || name == "KHR_materials_unlit" ||
-                           name == "KHR_materials_emissive_strength" || name == "KHR_materials_ior" ||
-                           name == "KHR_materials_specular";
+      const bool is_read = std::any_of(ReadExtensions.begin(), ReadExtensions.end(), [&](const auto& read) {
+        return name == fmt::format("KHR_materials_{}", read);
+      });
       if (!is_read) lost.push_back(name);
     }
     return lost;
@@ -168,49 +220,36 @@ class Reading {
 
   // The material is unchanged if it is what would be written for the BRDF.
   bool fits(const grf::BrdfModel& brdf, const grf::Vec3d& colour) const {
-    constexpr double Rounding = 3e-6;
-    const tinygltf::PbrMetallicRoughness& pbr = source_.pbrMetallicRoughness;
-    const MetallicRoughness values = metallic_roughness(microfacet_values(brdf_lobes(brdf)));
-    bool same = std::abs(values.metallic - pbr.metallicFactor) < Rounding &&
-                std::abs(values.roughness - pbr.roughnessFactor) < Rounding &&
-                pbr.baseColorFactor.size() == 4;
-    for (int i = 0; i < 3 && same; ++i) {
-      const double base = std::clamp(values.base_colour[i] * colour[i], 0.0, 1.0);
-      same = std::abs(base - pbr.baseColorFactor[static_cast<std::size_t>(i)]) < Rounding;
-    }
-    return same;
+    GltfBrdf written = nearest_gltf(brdf, {});
+    written.base *= colour;
+    normalise(written);
+    return !is_unlit_ && is_nearly_equal(written, values_);
   }
 
   void read(const tinygltf::PbrMetallicRoughness& pbr) {
-    MetallicRoughness values;
-    if (pbr.baseColorFactor.size() == 4) values.base_colour = first_three(pbr.baseColorFactor);
-    values.metallic = pbr.metallicFactor;
-    values.roughness = pbr.roughnessFactor;
+    if (pbr.baseColorFactor.size() == 4) values_.base = first_three(pbr.baseColorFactor);
+    values_.metallic = pbr.metallicFactor;
+    values_.roughness = pbr.roughnessFactor;
     say(fmt::format("baseColorFactor {}", joined(pbr.baseColorFactor)));
     say(fmt::format("metallicFactor {}", pbr.metallicFactor));
     say(fmt::format("roughnessFactor {}", pbr.roughnessFactor));
-    const MicrofacetValues facets = microfacet_values(values, dielectric());
-    material_.diffuse = facets.diffuse;
-    material_.specular = facets.specular;
-    material_.slope = facets.slope;
-    material_.is_metal = values.metallic >= 1;
     const auto transform = pbr.baseColorTexture.extensions.find("KHR_texture_transform");
     map(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord,
         transform == pbr.baseColorTexture.extensions.end() ? nullptr : &transform->second);
     if (pbr.metallicRoughnessTexture.index >= 0) lose(Loss::OtherMap);
   }
 
+  // A dielectric over a diffuse base says it exactly, also where its specular reflectance is a metal's.
   void read(const Value& glossiness) {
     const auto diffuse = numbers<4>(glossiness, "diffuseFactor", {1, 1, 1, 1});
     const auto specular = numbers<3>(glossiness, "specularFactor", {1, 1, 1});
-    const double rough = 1 - number(glossiness, "glossinessFactor", 1);
+    const double gloss = number(glossiness, "glossinessFactor", 1);
     say(fmt::format("diffuseFactor {}", fmt::join(diffuse, " ")));
     say(fmt::format("specularFactor {}", fmt::join(specular, " ")));
-    say(fmt::format("glossinessFactor {}", 1 - rough));
-    material_.diffuse = {diffuse[0], diffuse[1], diffuse[2]};
-    material_.specular = to_vector(specular);
-    material_.slope = rough * rough;
-    material_.is_metal = material_.diffuse == grf::Vec3d(0);
+    say(fmt::format("glossinessFactor {}", gloss));
+    values_.base = {diffuse[0], diffuse[1], diffuse[2]};
+    values_.specular_colour = to_vector(specular) * ColourOfFullReflectance;
+    values_.roughness = 1 - gloss;
     const int texture = texture_index(glossiness, "diffuseTexture");
     if (texture >= 0) {
       const Value& info = glossiness.Get("diffuseTexture");
@@ -220,35 +259,71 @@ class Reading {
       }
       map(texture, static_cast<int>(number(info, "texCoord", 0)), transform);
     }
-    if (texture_index(glossiness, "specularGlossinessTexture") >= 0) lose(Loss::OtherMap);
+    lose_maps(glossiness, {"specularGlossinessTexture"});
   }
 
   // Reads KHR_materials_ior and KHR_materials_specular.
-  grf::Vec3d dielectric() {
-    grf::Vec3d reflectance(0.04);
+  void read_dielectric() {
     if (const Value* ior = extension_of(source_, "ior")) {
-      const double index = number(*ior, "ior", 1.5);
-      say(fmt::format("ior {}", index));
-      const double root = index == 0 ? 1 : (index - 1) / (index + 1);
-      reflectance = grf::Vec3d(root * root);
+      values_.ior = number(*ior, "ior", values_.ior);
+      say(fmt::format("ior {}", values_.ior));
     }
     if (const Value* specular = extension_of(source_, "specular")) {
       const auto colour = numbers<3>(*specular, "specularColorFactor", {1, 1, 1});
-      const double factor = number(*specular, "specularFactor", 1);
-      say(fmt::format("specularFactor {}; specularColorFactor {}", factor, fmt::join(colour, " ")));
-      reflectance *= to_vector(colour);
-      for (int i = 0; i < 3; ++i) reflectance[i] = std::min(reflectance[i], 1.0) * factor;
-      const bool has_map = texture_index(*specular, "specularTexture") >= 0 ||
-                           texture_index(*specular, "specularColorTexture") >= 0;
-      if (has_map) lose(Loss::OtherMap);
+      values_.specular = number(*specular, "specularFactor", 1);
+      values_.specular_colour = to_vector(colour);
+      say(fmt::format("specularFactor {}; specularColorFactor {}", values_.specular, fmt::join(colour, " ")));
+      lose_maps(*specular, {"specularTexture", "specularColorTexture"});
     }
-    return reflectance;
+    move_ior_into_range();
+  }
+
+  // Only the product of the colour and the reflectance of the index, which an index of 0 makes 1, matters.
+  void move_ior_into_range() {
+    constexpr double LargestIor = 10;
+    grf::Vec3d& colour = values_.specular_colour;
+    const bool is_in_range = values_.ior != 0 && values_.ior <= LargestIor &&
+                             std::max({colour.x, colour.y, colour.z}) <= ColourOfFullReflectance;
+    if (is_in_range) return;
+    const double ior = std::max(values_.ior, 1.0);
+    const double root = values_.ior == 0 ? 1 : (ior - 1) / (ior + 1);
+    for (int i = 0; i < 3; ++i) colour[i] = std::min(colour[i] * root * root, 1.0) * ColourOfFullReflectance;
+    values_.ior = GltfBrdf().ior;
+  }
+
+  // Reads KHR_materials_anisotropy, KHR_materials_clearcoat and KHR_materials_sheen.
+  void read_layers() {
+    if (const Value* anisotropy = extension_of(source_, "anisotropy")) {
+      values_.anisotropy = number(*anisotropy, "anisotropyStrength", 0);
+      const double rotation = number(*anisotropy, "anisotropyRotation", 0);
+      values_.rotation = std::remainder(rotation, 2 * std::numbers::pi);
+      say(fmt::format("anisotropyStrength {}; anisotropyRotation {}", values_.anisotropy, rotation));
+      lose_maps(*anisotropy, {"anisotropyTexture"});
+    }
+    if (const Value* coat = extension_of(source_, "clearcoat")) {
+      values_.clearcoat = number(*coat, "clearcoatFactor", 0);
+      values_.coat_roughness = number(*coat, "clearcoatRoughnessFactor", 0);
+      say(fmt::format("clearcoatFactor {}; clearcoatRoughnessFactor {}", values_.clearcoat,
+                      values_.coat_roughness));
+      lose_maps(*coat, {"clearcoatTexture", "clearcoatRoughnessTexture"});
+      if (texture_index(*coat, "clearcoatNormalTexture") >= 0) lose(Loss::NormalMap);
+    }
+    if (const Value* sheen = extension_of(source_, "sheen")) {
+      constexpr double LeastRoughness = 0.01;
+      const auto colour = numbers<3>(*sheen, "sheenColorFactor", {0, 0, 0});
+      const double roughness = number(*sheen, "sheenRoughnessFactor", 0);
+      values_.sheen_colour = to_vector(colour);
+      // The range of glTF begins at 0.
+      values_.sheen_roughness = roughness >= 0 ? std::max(roughness, LeastRoughness) : roughness;
+      say(fmt::format("sheenColorFactor {}; sheenRoughnessFactor {}", fmt::join(colour, " "), roughness));
+      lose_maps(*sheen, {"sheenColorTexture", "sheenRoughnessTexture"});
+    }
   }
 
   void map(int texture, int set, const Value* transform) {
     if (texture < 0) return;
-    material_.map = images_.texture(texture);
-    if (!material_.map) return lose(Loss::TextureImage);
+    map_ = images_.texture(texture);
+    if (!map_) return lose(Loss::TextureImage);
     lookup_ = lookup_of(set, transform);
     if (!images_.repeats(texture)) lose(Loss::TextureWrap);
   }
@@ -263,7 +338,7 @@ class Reading {
     say(fmt::format("emissiveFactor {}", joined(source_.emissiveFactor)));
     if (strength != nullptr) say(fmt::format("emissiveStrength {}", times));
     if (source_.emissiveTexture.index >= 0) return lose(Loss::EmissionMap);
-    material_.emission = factor * times;
+    emission_ = factor * times;
     if (source_.doubleSided) lose(Loss::BackEmission);
   }
 
@@ -283,14 +358,29 @@ class Reading {
     return printable;
   }
 
-  void say(std::string value) { material_.source_values.push_back(std::move(value)); }
-  void lose(Loss loss) { material_.losses.push_back(loss); }
+  void say(std::string value) { said_.push_back(std::move(value)); }
+
+  // Loses a feature once, since losses are counted by face.
+  void lose(Loss loss) {
+    if (std::find(losses_.begin(), losses_.end(), loss) == losses_.end()) losses_.push_back(loss);
+  }
+  void lose_maps(const Value& extension, std::initializer_list<const char*> names) {
+    for (const char* name : names) {
+      if (texture_index(extension, name) >= 0) lose(Loss::OtherMap);
+    }
+  }
 
   const tinygltf::Material& source_;
   const GltfImages& images_;
   const Value nothing_;
-  MicrofacetMaterial material_;
+  GltfBrdf values_;
+  bool is_clamped_ = false;
+  bool is_unlit_ = false;
+  grf::Vec3d emission_ = grf::Vec3d(0);  ///< radiance, W/(sr m2)
+  std::optional<grf::Texture> map_;
   TextureLookup lookup_;
+  std::vector<std::string> said_;  ///< the values of the file
+  std::vector<Loss> losses_;
 };
 
 }  // namespace
@@ -301,20 +391,18 @@ GltfMaterials::GltfMaterials(const GltfFile& file, const GltfImages& images, Def
 }
 
 void GltfMaterials::add(const tinygltf::Material& source, std::size_t index) {
-  Reading reading(source, images_);
-  MicrofacetMaterial material = reading.run();
+  const Reading reading(source, images_);
+  std::string name = source.name;
   std::replace_if(
-      material.name.begin(), material.name.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; },
-      ' ');
-  if (material.name.empty()) material.name = fmt::format("material_{}", index);
-  material.location = grf::whole_file(file_.path);
-  MappedMaterial mapped = map_material(material);
+      name.begin(), name.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
+  if (name.empty()) name = fmt::format("material_{}", index);
+  MappedMaterial mapped = reading.material(name, file_.path);
   grf::Colour colour(1);
   if (auto brdf = reading.exact_brdf(colour)) {
     mapped.definition.body = std::move(*brdf);
     if (reading.has_exact_colour()) mapped.colour = colour;
   } else if (reading.has_exact_brdf()) {
-    changed_.push_back(material.name);
+    changed_.push_back(name);
   }
   materials_.add(std::move(mapped));
   lookups_.push_back(reading.lookup());

@@ -47,22 +47,21 @@ const Model Duck = {"Duck",
                     {{"diffuse kd=1", "coupled Rm=0.7 R0=0.08"}},
                     {{"Rm=0.7", "Rm=0.65"}}};
 
-// All BRDFs of this model are metallic-roughness.
-const Model Engine = {
-    "Engine",
-    Models + "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb",
-    "translation (0, 181, 0) scale (0.003, 0.003, 0.003)",
-    {{"ashikhmin ex=0 Rs=0.04 Rd=0.85", "torrance rough=0.2 nreal=1 nimag=100 ks=(0.8, 0.6, 0.4) kd=0"},
-     {"ashikhmin ex=0", "ashikhmin ex=60"}},
-    {{"rough=0.2", "rough=0.3"}}};
+// All BRDFs of this model are metallic-roughness, some of them with a coat.
+const Model Engine = {"Engine",
+                      Models + "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb",
+                      "translation (0, 181, 0) scale (0.003, 0.003, 0.003)",
+                      {{"baseColor=0.85 roughness=1", "baseColor=(0.8, 0.6, 0.4) metallic=1 roughness=0.45"},
+                       {"roughness=1", "roughness=0.4 clearcoat=0.5 coatRoughness=0.2"}},
+                      {{"metallic=1 roughness=0.45", "metallic=1 roughness=0.55"}}};
 
 // This model is metallic-roughness with a texture. glTF has no TGA, so another model's image replaces it.
 const Model PlainDuck = {
     "PlainDuck",
     Duck.file,
     Duck.placement,
-    {{"diffuse kd=1", "ashikhmin ex=40 Rs=0.04 Rd=0.9"}, {"Collada/duckCM.tga", "OBJ/SpiderTex.jpg"}},
-    {{"Rd=0.9", "Rd=0.8"}}};
+    {{"diffuse kd=1", "gltf baseColor=0.9 roughness=0.4"}, {"Collada/duckCM.tga", "OBJ/SpiderTex.jpg"}},
+    {{"baseColor=0.9", "baseColor=0.8"}}};
 
 std::string edited(std::string text, const Edits& edits) {
   for (const auto& [before, after] : edits) {
@@ -129,7 +128,7 @@ class ConversionPictures : public test::Bpt, public testing::WithParamInterface<
   std::string stage(const std::string& name, const std::string& model) {
     write(name, model);
     return write("stage_" + name, fmt::format(R"(
-def floor = brdf ashikhmin ex=0 Rs=0.04 Rd=(0.6, 0.6, 0.55)
+def floor = brdf gltf baseColor=(0.6, 0.6, 0.55) roughness=1
 begin
   light begin rgb (12, 11, 10) (-2, 3, 1) (1, 0, 0) (0, 0.4, 1.2) end
   transform {} begin include "{}" end

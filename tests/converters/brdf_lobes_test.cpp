@@ -46,31 +46,6 @@ TEST(PhongMaterials, HaveALobeAboutTheMirrorDirection) {
   EXPECT_EQ(phong_of("ward ks=0").reflection, Reflection::None);
 }
 
-TEST(MicrofacetValues, InvertTheMapping) {
-  for (const std::string text :
-       {"diffuse kd=(0.1, 0.2, 0.3)", "torrance rough=0.25 nimag=100 nreal=1 ks=0.5 kd=0",
-        "ashikhmin ex=30 Rs=0.04 Rd=(1, 0.5, 0.25)", "ashikhmin ex=0 Rs=0.27 Rd=0.25",
-        "coupled Rm=0.5 R0=(0.1, 0.2, 0.3)"}) {
-    const MicrofacetValues values = microfacet_values(lobes_of(text));
-    MicrofacetMaterial material;
-    material.diffuse = values.diffuse;
-    material.specular = values.specular;
-    material.slope = values.slope;
-    material.is_metal = text.starts_with("torrance");
-    const BrdfLobes again = brdf_lobes(std::get<grf::BrdfModel>(map_material(material).definition.body));
-    EXPECT_LT((again.diffuse - lobes_of(text).diffuse).length(), 1e-6) << text;
-    EXPECT_LT((again.glossy - lobes_of(text).glossy).length(), 1e-3) << text;
-    if (std::isinf(again.exponent)) continue;
-    EXPECT_NEAR(again.exponent, lobes_of(text).exponent, 1e-4) << text;
-  }
-}
-
-TEST(MicrofacetValues, DivideTheMattePartByWhatTheFacetsLetThrough) {
-  EXPECT_NEAR(microfacet_values(lobes_of("ashikhmin Rd=0.6 Rs=0.5")).diffuse.x, 0.6, 1e-7);
-  EXPECT_NEAR(microfacet_values(lobes_of("ward kd=0.3 ks=0.5")).diffuse.x, 0.6, 1e-7);
-  EXPECT_EQ(microfacet_values(lobes_of("specular ks=1")).diffuse, grf::Vec3d(0));
-}
-
 TEST(BrdfLobes, AreAsWideAsTheLobe) {
   for (const auto& [sharp, dull] :
        std::vector<std::pair<std::string, std::string>>{{"ward sx=0.05", "ward sx=0.3"},

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "converters/material_mapping.h"
+#include "converters/gltf/gltf_brdf.h"
 #include "grf/keywords.h"
 #include "grf/read.h"
 #include "renderer/reflectance/scheme.h"
@@ -36,32 +36,32 @@ json pbr(const json& colour, double metallic, double roughness) {
            {{"baseColorFactor", colour}, {"metallicFactor", metallic}, {"roughnessFactor", roughness}}}};
 }
 
-TEST(GltfMaterial, BecomesTheNearestBrdf) {
-  EXPECT_EQ(brdf_of(pbr({1, 0.5, 0.25, 1}, 1, 0.5)),
-            "torrance rough=0.25 nreal=1 nimag=100 ks=(1, 0.5, 0.25) kd=0");
-  EXPECT_EQ(brdf_of(pbr({1, 0.5, 0.25, 1}, 1, 0)), "specular ks=(1, 0.5, 0.25)");
-  EXPECT_EQ(brdf_of(pbr({1, 0.5, 0.25, 1}, 0, 0.5)), "ashikhmin ex=30 Rs=0.04 Rd=(1, 0.5, 0.25)");
-  EXPECT_EQ(brdf_of(pbr({0.5, 0.5, 0.5, 1}, 0, 0)), "coupled Rm=0.5 R0=0.04");
-  EXPECT_EQ(brdf_of(pbr({0.5, 0.5, 0.5, 1}, 0.5, 1)), "ashikhmin ex=0 Rs=0.27 Rd=0.25");
+TEST(GltfMaterial, BecomesTheBrdfOfItsValues) {
+  EXPECT_EQ(brdf_of(pbr({1, 0.5, 0.25, 1}, 1, 0.25)),
+            "gltf baseColor=(1, 0.5, 0.25) metallic=1 roughness=0.25");
+  EXPECT_EQ(brdf_of(pbr({1, 0.5, 0.25, 1}, 1, 0)), "gltf baseColor=(1, 0.5, 0.25) metallic=1 roughness=0");
+  EXPECT_EQ(brdf_of(pbr({1, 0.5, 0.25, 1}, 0, 0.5)), "gltf baseColor=(1, 0.5, 0.25)")
+      << "values that are defaults of the BRDF are left out";
+  EXPECT_EQ(brdf_of(pbr({0.5, 0.5, 0.5, 1}, 0.5, 1)), "gltf baseColor=0.5 metallic=0.5 roughness=1");
+}
+
+// glTF 2.0, 5.22: white, metallic and rough are the defaults of the file.
+TEST(GltfMaterial, OfNoValuesHasTheDefaultsOfTheFile) {
+  EXPECT_EQ(brdf_of(json::object()), "gltf metallic=1 roughness=1");
+  EXPECT_EQ(brdf_of({{"pbrMetallicRoughness", json::object()}}), "gltf metallic=1 roughness=1");
 }
 
 TEST(GltfMaterial, ExtensionsThatSayItsReflectanceAreRead) {
-  json unlit = pbr({0.5, 0.5, 0.5, 1}, 0, 1);
+  json unlit = pbr({0.5, 0.25, 0.5, 1}, 1, 1);
   unlit["extensions"]["KHR_materials_unlit"] = json::object();
-  EXPECT_EQ(brdf_of(unlit), "diffuse kd=0.5");
-  json ior = pbr({0.5, 0.5, 0.5, 1}, 0, 0);
-  ior["extensions"]["KHR_materials_ior"] = {{"ior", 3}};
-  EXPECT_EQ(brdf_of(ior), "coupled Rm=0.5 R0=0.25");
-  json specular = ior;
-  specular["extensions"]["KHR_materials_specular"] = {{"specularFactor", 0.5},
-                                                      {"specularColorFactor", {1, 0, 1}}};
-  EXPECT_EQ(brdf_of(specular), "coupled Rm=0.5 R0=(0.125, 0, 0.125)");
+  EXPECT_EQ(brdf_of(unlit), "diffuse kd=(0.5, 0.25, 0.5)") << "whatever its metallic factor";
   const json glossy = {{"extensions",
                         {{"KHR_materials_pbrSpecularGlossiness",
                           {{"diffuseFactor", {0.5, 0.25, 0, 1}},
-                           {"specularFactor", {0.25, 0.25, 0.25}},
-                           {"glossinessFactor", 0.5}}}}}};
-  EXPECT_EQ(brdf_of(glossy), "ashikhmin ex=30 Rs=0.25 Rd=(0.5, 0.25, 0)");
+                           {"specularFactor", {0.25, 0.5, 1}},
+                           {"glossinessFactor", 0.75}}}}}};
+  // F0 is specularColor times 0.04.
+  EXPECT_EQ(brdf_of(glossy), "gltf baseColor=(0.5, 0.25, 0) roughness=0.25 specularColor=(6.25, 12.5, 25)");
 }
 
 TEST(GltfMaterial, KeepsItsNameAndItsValuesInAComment) {
@@ -91,14 +91,19 @@ TEST(GltfMaterial, CommentsHaveAllValuesThatAreRead) {
   json all = pbr({0.5, 0.25, 0, 0.75}, 0.5, 0.25);
   all["extensions"]["KHR_materials_ior"] = {{"ior", 3}};
   all["extensions"]["KHR_materials_specular"] = {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0, 1}}};
+  all["extensions"]["KHR_materials_anisotropy"] = {{"anisotropyStrength", 0.5}, {"anisotropyRotation", 7}};
+  all["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 0.25}};
+  all["extensions"]["KHR_materials_sheen"] = {{"sheenColorFactor", {0, 0.5, 1}}};
   all["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", 8}};
   all["emissiveFactor"] = {1, 0.5, 0};
   all["alphaMode"] = "BLEND";
   all["doubleSided"] = true;
-  EXPECT_EQ(values(all),
-            " glTF: baseColorFactor 0.5 0.25 0 0.75; metallicFactor 0.5; roughnessFactor 0.25; ior 3; "
-            "specularFactor 0.5; specularColorFactor 1 0 1; emissiveFactor 1 0.5 0; emissiveStrength 8; "
-            "alphaMode BLEND; doubleSided");
+  EXPECT_EQ(
+      values(all),
+      " glTF: baseColorFactor 0.5 0.25 0 0.75; metallicFactor 0.5; roughnessFactor 0.25; ior 3; "
+      "specularFactor 0.5; specularColorFactor 1 0 1; anisotropyStrength 0.5; anisotropyRotation 7; "
+      "clearcoatFactor 0.25; clearcoatRoughnessFactor 0; sheenColorFactor 0 0.5 1; "
+      "sheenRoughnessFactor 0; emissiveFactor 1 0.5 0; emissiveStrength 8; alphaMode BLEND; doubleSided");
   json unlit = pbr({1, 1, 1, 1}, 0, 1);
   unlit["extensions"]["KHR_materials_unlit"] = json::object();
   EXPECT_THAT(values(unlit), HasSubstr("unlit"));
@@ -140,14 +145,14 @@ TEST(GltfMaterial, WhatIsLostIsSaid) {
   material["alphaMode"] = "BLEND";
   for (const char* map : {"normalTexture", "occlusionTexture"}) material[map] = {{"index", 0}};
   material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
-  for (const char* extension : {"clearcoat", "sheen", "transmission"}) {
+  for (const char* extension : {"iridescence", "volume", "transmission"}) {
     material["extensions"][std::string("KHR_materials_") + extension] = {{"a", 1}};
   }
   const Reading reading = with_material(material).read();
   EXPECT_TRUE(reading.scene);
   for (const char* said :
        {"its transparency", "its normal map", "its occlusion map", "its map of a parameter",
-        "1 face lost what KHR_materials_clearcoat says of their material", "what KHR_materials_sheen says",
+        "1 face lost what KHR_materials_iridescence says of their material", "what KHR_materials_volume says",
         "what KHR_materials_transmission says"}) {
     EXPECT_THAT(reading.text(), HasSubstr(said));
   }
@@ -173,22 +178,25 @@ grf::BrdfModel model(const std::string& text) {
   return grf::read_brdf(text, "test", diagnostics).value();
 }
 
-TEST(MicrofacetValues, OfMetallicRoughnessComeBack) {
+// glTF 2.0, appendix B: a mixture by `metallic` of a metal of the base colour and of a dielectric, whose
+// facets reflect 0.04, and let 0.96 through to a diffuse base of the base colour.
+TEST(NearestGltf, HasTheReflectancesOfItsLobes) {
   for (const double metallic : {0.0, 0.3, 0.7, 1.0}) {
     for (const double grey : {0.2, 0.5, 0.9}) {
-      MetallicRoughness material;
-      material.base_colour = grf::Vec3d(grey);
-      material.metallic = metallic;
-      material.roughness = 0.6;
-      const MetallicRoughness again = metallic_roughness(microfacet_values(material));
-      EXPECT_NEAR(again.metallic, metallic, 1e-9);
-      EXPECT_NEAR(again.base_colour.x, grey, 1e-9);
-      EXPECT_NEAR(again.roughness, 0.6, 1e-9);
+      BrdfLobes lobes;
+      lobes.diffuse = grf::Vec3d(0.96 * grey * (1 - metallic));
+      lobes.glossy = grf::Vec3d(0.04 * (1 - metallic) + grey * metallic);
+      lobes.exponent = 30;
+      const GltfBrdf values = nearest_gltf(lobes);
+      EXPECT_NEAR(values.metallic, metallic, 1e-9);
+      EXPECT_NEAR(values.base.x, grey, 1e-9);
+      EXPECT_NEAR(values.roughness, 0.5, 1e-9) << "the root of the slope, which is the root of 2/(30 + 2)";
+      EXPECT_EQ(values.specular, 1);
     }
   }
 }
 
-// A mapped material conserves energy.
+// The model's fit of what facets reflect is off by up to 1.5 %.
 TEST(GltfMaterial, ConservesEnergy) {
   const grf::Catalogue catalogue = reflectance::catalogue();
   for (const double metallic : {0.0, 0.5, 1.0}) {
@@ -197,7 +205,7 @@ TEST(GltfMaterial, ConservesEnergy) {
       const grf::ModelInfo* info = grf::find_model(catalogue.brdfs, brdf.keyword);
       ASSERT_NE(info, nullptr);
       ASSERT_NE(info->largest_albedo, nullptr);
-      EXPECT_LE(info->largest_albedo(brdf).albedo, 1.001F) << brdf.keyword << ' ' << roughness;
+      EXPECT_LE(info->largest_albedo(brdf).albedo, 1.015F) << brdf.keyword << ' ' << roughness;
     }
   }
 }

@@ -231,11 +231,11 @@ TEST(GltfWritten, OurReaderSeesTheSameWithoutExtras) {
   for (const auto& corners : {stretched_corners(), mirrored_corners()}) {
     EXPECT_THAT(faces_at(corners, faces),
                 UnorderedElementsAre(
-                    "021 plaster diffuse kd=(0.25, 0.5, 0.75)", "013 gold specular ks=(0.75, 0.5, 0.25)",
-                    "032 coat ashikhmin ex=30 Rs=0.04 Rd=0.5 wood.png",
+                    "021 plaster diffuse kd=(0.25, 0.5, 0.75)",
+                    "013 gold gltf baseColor=(0.75, 0.5, 0.25) metallic=1 roughness=0",
+                    "032 coat gltf baseColor=0.5 wood.png",
                     testing::AllOf(testing::StartsWith("123 coat"),
-                                   testing::HasSubstr("ashikhmin ex=30 Rs=0.04 Rd=0.5 wood.png "
-                                                      "emits (4, 2, 1)"))));
+                                   testing::HasSubstr("gltf baseColor=0.5 wood.png emits (4, 2, 1)"))));
   }
 }
 

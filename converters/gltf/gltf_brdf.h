@@ -1,0 +1,42 @@
+// The BRDF `gltf` has the values of glTF's materials, so that this struct is between GRF and glTF files.
+#pragma once
+
+#include "converters/brdf_lobes.h"
+#include "grf/math.h"
+#include "grf/model.h"
+#include "grf/visit.h"
+
+namespace convert {
+
+/// The parameters of the BRDF `gltf`, with its defaults, which are not those of glTF files.
+struct GltfBrdf {
+  grf::Vec3d base = grf::Vec3d(1);
+  double metallic = 0;
+  double roughness = 0.5;
+  double ior = 1.5;
+  double specular = 1;
+  grf::Vec3d specular_colour = grf::Vec3d(1);
+  double anisotropy = 0;
+  double rotation = 0;  ///< radians
+  double clearcoat = 0;
+  double coat_roughness = 0;
+  grf::Vec3d sheen_colour = grf::Vec3d(0);
+  double sheen_roughness = 0.3;
+};
+
+/// Clamps values to the ranges of the BRDF, and resets those that have no effect, such as the roughness of a
+/// coat that is not there, to their defaults. Returns whether a value was out of range.
+bool normalise(GltfBrdf& values);
+
+/// Returns the values of glTF's material for a BRDF: exact for `gltf`, and else the nearest ones.
+GltfBrdf nearest_gltf(const grf::BrdfModel& brdf, const grf::Scope& scope);
+GltfBrdf nearest_gltf(const BrdfLobes& lobes);
+
+/// Returns the BRDF of normalised values: `gltf` with those that are not its defaults, or `diffuse` if a
+/// dielectric without specular reflection makes it the same.
+grf::BrdfModel to_brdf(const GltfBrdf& values);
+
+/// Returns whether normalised values are equal but for the rounding of factors in files.
+bool is_nearly_equal(const GltfBrdf& a, const GltfBrdf& b);
+
+}  // namespace convert
