@@ -102,10 +102,13 @@ TEST_F(GltfValidator, FindsNoErrorInWhatIsWrittenOfGrf) {
   std::filesystem::copy_file(Image, folder_.path("wood.png"));
   const std::vector<std::pair<std::string, std::string>> scenes = {
       {"empty", "params begin dependent view (1,2,3) end"}, {"polygons", R"(
-def steel = brdf torrance rough=0.3 ks=(1,0.5,2e-1) def wood = texture "wood.png"
+def steel = brdf torrance rough=0.3 ks=(1,0.5,2e-1)
+  lacquer = brdf gltf ior=1.8 specular=0.9 specularColor=(1,2,3) anisotropy=0.4 rotation=-1 clearcoat=0.2
+    coatRoughness=0.1 sheenColor=0.3 sheenRoughness=0.6
+def wood = texture "wood.png"
 def stool = begin mesh "stool" brdf steel pdf adaptive
   begin vertexs normal (0,0,3) (0,0,0) normal (0,0,1) (1,0,0) normal (0,0,1) (1,1,0) normal (1,2,3) (0,1,0) (0,0,2) end vertexs
-  begin faces (0,1,2,3) light rgb (5,4,3) (0,1,4) brdf none (1,2,4) end faces end mesh
+  begin faces (0,1,2,3) light rgb (5,4,3) (0,1,4) brdf lacquer (2,3,4) brdf none (1,2,4) end faces end mesh
 begin
   transform rotation (0.1,0.2,0.3) scale (1,-2,3) rotation (1,1,1) translation (4,5,6) begin use stool end
   use stool
