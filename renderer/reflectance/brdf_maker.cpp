@@ -65,27 +65,32 @@ std::optional<Brdf> BrdfMaker::make_summand(const grf::BrdfModel& data) {
     diagnostics_.error(data.location, fmt::format("'{}' cannot be rendered", data.keyword));
     return std::nullopt;
   }
-  auto* from_data = std::get_if<Measured>(&*brdf);
-  if ((from_data == nullptr) != data.data_file.empty()) {
-    diagnostics_.error(data.location, from_data == nullptr
-                                          ? fmt::format("'{}' takes no data file", data.keyword)
-                                          : "'measured' needs the name of a data file");
+  const bool reads_file = std::visit([]<class Model>(const Model&) { return ReadsDataFile<Model>; }, *brdf);
+  if (reads_file == data.data_file.empty()) {
+    const char* what = reads_file ? "needs the name of a data file" : "takes no data file";
+    diagnostics_.error(data.location, fmt::format("'{}' {}", data.keyword, what));
     return std::nullopt;
   }
-  if (from_data == nullptr) return brdf;
-  from_data->data = measured(data);
-  return from_data->data ? brdf : std::nullopt;
+  const bool is_complete = std::visit(
+      [&]<class Model>(Model& model) {
+        if constexpr (ReadsDataFile<Model>) {
+          model.data = data_of<Model>(data);
+          return model.data != nullptr;
+        } else {
+          return true;
+        }
+      },
+      static_cast<AnyBrdf&>(*brdf));
+  return is_complete ? brdf : std::nullopt;
 }
 
-std::shared_ptr<const MeasuredData> BrdfMaker::measured(const grf::BrdfModel& data) {
+template <class Model>
+std::shared_ptr<const typename Model::Data> BrdfMaker::data_of(const grf::BrdfModel& data) {
   const std::string path = data_path(data);
-  const auto [entry, is_new] = measured_.try_emplace(grf::canonical_path(path));
-  if (is_new) {
-    if (auto table = MerlTable::load(path, diagnostics_, data.location)) {
-      entry->second = std::make_shared<MeasuredData>(std::move(table));
-    }
-  }
-  return entry->second;
+  const auto [entry, is_new] =
+      loaded_.try_emplace({Model::table().keyword, grf::canonical_path(path)}, nullptr);
+  if (is_new) entry->second = Model::load(path, diagnostics_, data.location);
+  return std::static_pointer_cast<const typename Model::Data>(entry->second);
 }
 
 }  // namespace reflectance

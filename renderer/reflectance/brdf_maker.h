@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "grf/diagnostics.h"
@@ -32,10 +34,12 @@ class BrdfMaker {
 
  private:
   std::optional<Brdf> make_summand(const grf::BrdfModel& data);
-  std::shared_ptr<const MeasuredData> measured(const grf::BrdfModel& data);
+  template <class Model>
+  std::shared_ptr<const typename Model::Data> data_of(const grf::BrdfModel& data);
 
   grf::Diagnostics& diagnostics_;
-  std::map<std::string, std::shared_ptr<const MeasuredData>> measured_;  // by canonical path
+  // What files were loaded as, by the model's keyword and the canonical path.
+  std::map<std::pair<std::string_view, std::string>, std::shared_ptr<const void>> loaded_;
 };
 
 }  // namespace reflectance

@@ -75,6 +75,12 @@ float MeasuredData::lobe_pdf(const Vec3f& u, const Vec3f& v) const {
   return (cumulative_[ring + 1] - cumulative_[ring]) / (solid_angle * 4 * cosine_of_half(u, v));
 }
 
+std::shared_ptr<const MeasuredData> Measured::load(const std::string& path, grf::Diagnostics& diagnostics,
+                                                   const grf::SourceLocation& asked_for_at) {
+  auto table = MerlTable::load(path, diagnostics, asked_for_at);
+  return table ? std::make_shared<const MeasuredData>(std::move(table)) : nullptr;
+}
+
 // The probability has a minimum, so that light outside the lobe's rings never has large weights.
 float Measured::cosine_probability() const {
   const float total = data->diffuse_albedo() + data->lobe_albedo();

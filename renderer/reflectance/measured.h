@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "renderer/reflectance/merl_table.h"
 #include "renderer/reflectance/model.h"
@@ -36,6 +37,8 @@ class MeasuredData {
 
 /// A measured BRDF: a file of the MERL data base, shared by all that name it. Without data it is black.
 struct Measured {
+  using Data = MeasuredData;
+
   bool linear = true;
   std::shared_ptr<const MeasuredData> data;
 
@@ -55,6 +58,10 @@ struct Measured {
             "are importance-sampled from the table.",
     };
   }
+
+  /// Loads a file, or returns nothing after an error.
+  static std::shared_ptr<const MeasuredData> load(const std::string& path, grf::Diagnostics& diagnostics,
+                                                  const grf::SourceLocation& asked_for_at);
 
   template <class Real>
   Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {

@@ -11,6 +11,7 @@
 //     float albedo_estimate(u) const;       // mean albedo without the delta part, for choosing lobes
 //     std::optional<DirectionSample> sample(u, xi) const;   // importance sampling in closed form
 //     float pdf(u, v) const;
+//     using Data = ...;                     // only if an instance names a file; see ReadsDataFile
 //     bool is_anisotropic() const;          // and the other queries of brdf.h whose default is wrong
 //   };
 //
@@ -72,6 +73,13 @@ struct LobeExponents {
   /// half as much as v, so four times the exponent does.
   static LobeExponents about_mirror(float n) { return {4 * n, 4 * n}; }
   float about_mirror() const { return (x + y) / 8; }
+};
+
+/// A model of measured data: its member `data` points to what `load` makes of the file that an instance
+/// names.
+template <class Model>
+concept ReadsDataFile = requires {
+  typename Model::Data;
 };
 
 /// One row of a model's parameter table: the field, and its description without the default, which is the

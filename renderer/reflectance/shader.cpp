@@ -51,7 +51,7 @@ class Maker {
 
   template <class Model>
   bool add_term(const Model& model, const std::string& weight) {
-    if constexpr (std::is_same_v<Model, Combine> || std::is_same_v<Model, Measured>) {
+    if constexpr (std::is_same_v<Model, Combine> || ReadsDataFile<Model>) {
       return false;
     } else {
       const std::size_t first = parameters_.size();
@@ -111,7 +111,7 @@ FormulaShader formula_shader(std::size_t formula, const ParameterText& parameter
 std::vector<Rgb> shader_values(const Brdf& brdf) {
   return std::visit(
       []<class Model>(const Model& model) {
-        if constexpr (std::is_same_v<Model, Combine> || std::is_same_v<Model, Measured>) {
+        if constexpr (std::is_same_v<Model, Combine> || ReadsDataFile<Model>) {
           return std::vector<Rgb>();
         } else {
           return shader_values<Model>(model);
