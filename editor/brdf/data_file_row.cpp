@@ -15,7 +15,9 @@ DataFileRow::DataFileRow(QWidget* parent) : QWidget(parent) {
   auto* name = new QLabel(tr("Data"), this);
   line_ = new QLineEdit(this);
   line_->setAccessibleName(tr("File of measured data"));
-  line_->setToolTip(tr("A .binary file of the MERL BRDF database, by its path or relative to the scene"));
+  line_->setToolTip(tr(
+      "A .binary file of the MERL BRDF database, or a .bsdf file of the RGL material database, by its path "
+      "or relative to the scene"));
   name->setBuddy(line_);
   const QString choose_file = tr("Choose the file of measured data");
   row->addWidget(name);
@@ -32,8 +34,8 @@ void DataFileRow::set_file(const QString& file, bool is_mixed) {
 }
 
 void DataFileRow::choose() {
-  auto* dialog =
-      new QFileDialog(window(), tr("Measured data"), file_, tr("Measured data (*.binary);;All files (*)"));
+  auto* dialog = new QFileDialog(window(), tr("Measured data"), file_,
+                                 tr("Measured data (*.binary *.bsdf);;All files (*)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, &DataFileRow::take);

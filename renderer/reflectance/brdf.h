@@ -25,6 +25,7 @@
 #include "renderer/reflectance/oren.h"
 #include "renderer/reflectance/phong.h"
 #include "renderer/reflectance/poulin.h"
+#include "renderer/reflectance/rgl.h"
 #include "renderer/reflectance/schlick.h"
 #include "renderer/reflectance/sheen.h"
 #include "renderer/reflectance/specular.h"
@@ -50,7 +51,7 @@ struct Extended<std::variant<Types...>, More...> {
 };
 
 /// All BRDFs: the analytic models, measured data and weighted sums.
-using AnyBrdf = Extended<FormulaBrdf, Measured, Combine>::Type;
+using AnyBrdf = Extended<FormulaBrdf, Measured, Rgl, Combine>::Type;
 
 /// A BRDF of any model. It is a class so that copying, which takes long to compile for so many types, is
 /// compiled once.

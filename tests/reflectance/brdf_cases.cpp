@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "tests/reflectance/rgl_cases.h"
+
 namespace test {
 namespace {
 
@@ -60,6 +62,14 @@ Brdf table_of(const std::string& text) {
   reflectance::Measured measured;
   measured.data = std::make_shared<const reflectance::MeasuredData>(table);
   return measured;
+}
+
+Brdf rgl_of(const std::string& name) {
+  grf::Diagnostics diagnostics;
+  reflectance::Rgl rgl;
+  rgl.data = reflectance::RglData::load(rgl_path(name), diagnostics);
+  if (!rgl.data) throw std::runtime_error(diagnostics.to_text());
+  return rgl;
 }
 
 class PairGenerator {
@@ -120,6 +130,8 @@ class PairGenerator {
 Brdf brdf_of(const std::string& text) {
   constexpr std::string_view Table = "table of ";
   if (text.starts_with(Table)) return table_of(text.substr(Table.size()));
+  constexpr std::string_view Rgl = "rgl ";
+  if (text.starts_with(Rgl)) return rgl_of(text.substr(Rgl.size()));
   return text.find(" + ") == std::string::npos ? simple_brdf(text) : sum_of(text);
 }
 

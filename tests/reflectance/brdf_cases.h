@@ -14,7 +14,8 @@ using reflectance::Brdf;
 using reflectance::Vec3f;
 
 /// Makes a BRDF from a text such as `ward sx=0.1`; `0.5 ward sx=0.1 + 0.2 specular` is a weighted sum, and
-/// `table of ward sx=0.1` a measured table of its values.
+/// `table of ward sx=0.1` a measured table of its values,
+/// and `rgl matte` the file of that name in tests/reflectance/rgl.
 Brdf brdf_of(const std::string& text);
 
 inline grf::ModelInfo info_of(const Brdf& brdf) {
@@ -132,6 +133,8 @@ inline const std::vector<std::string>& stepped_cases() {
       "neumann r=2 ks=0.8",
       "table of blinn n=40 ks=0.3 kd=0.3",
       "table of lewis n=400 ks=0.7 kd=(0.1, 0.2, 0.3)",
+      "rgl copper",
+      "rgl brushed_half",
   };
   return cases;
 }

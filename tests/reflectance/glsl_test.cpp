@@ -211,6 +211,7 @@ TEST(Shader, IsNotThereForMeasurements) {
   parts->push_back({0.5F, reflectance::Measured()});
   EXPECT_FALSE(reflectance::shader_of(reflectance::Combine{parts}));
   EXPECT_FALSE(reflectance::shader_of(reflectance::Measured()));
+  EXPECT_FALSE(reflectance::shader_of(reflectance::Rgl()));
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ std::vector<std::string> scene_cases() {
   std::vector<std::string> cases;
   for (const auto* list : {&test::plain_cases(), &test::stepped_cases()}) {
     for (const std::string& text : *list) {
-      if (text.find('+') == std::string::npos && !text.starts_with("table")) cases.push_back(text);
+      const bool is_data = text.starts_with("table") || text.starts_with("rgl");
+      if (text.find('+') == std::string::npos && !is_data) cases.push_back(text);
     }
   }
   return cases;
