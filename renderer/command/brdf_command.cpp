@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "grf/text_file.h"
@@ -46,18 +47,50 @@ std::optional<Vec3f> direction_option(const std::string& text, const char* optio
   return angles ? std::optional(direction_of(*angles)) : std::nullopt;
 }
 
-void print_values(const std::vector<Rgb>& values, bool json) {
-  if (json) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Rgb& value : values) list.push_back(json_array(value));
-    fmt::print("{}\n", json_text(nlohmann::ordered_json{{"values", list}}, true));
-    return;
+/// Values of a BRDF in RGB and, where its data have wavelengths, at each of those.
+class ValueList {
+ public:
+  explicit ValueList(const Reflector& reflector)
+      : reflector_(reflector), rgl_(std::get_if<reflectance::Rgl>(&reflector.brdf())) {
+    if (rgl_ != nullptr && rgl_->data->wavelengths().empty()) rgl_ = nullptr;
   }
-  for (const Rgb& value : values) fmt::print("{} {} {}\n", value.x, value.y, value.z);
-}
+
+  void add(const Vec3f& u, const Vec3f& v) {
+    values_.push_back(reflector_.evaluate(u, v));
+    if (rgl_ != nullptr) spectra_.push_back(rgl_->data->spectrum(Imath::V3d(u), Imath::V3d(v)));
+  }
+
+  void print(bool json) const { json ? print_json() : print_lines(); }
+
+ private:
+  void print_json() const {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const Rgb& value : values_) list.push_back(json_array(value));
+    nlohmann::ordered_json all = {{"values", list}};
+    if (rgl_ != nullptr) {
+      all["wavelengths"] = rgl_->data->wavelengths();
+      all["spectra"] = spectra_;
+    }
+    fmt::print("{}\n", json_text(all, true));
+  }
+
+  void print_lines() const {
+    if (rgl_ != nullptr) fmt::print("# R G B and {} nm\n", fmt::join(rgl_->data->wavelengths(), " "));
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      fmt::print("{} {} {}", values_[i].x, values_[i].y, values_[i].z);
+      if (rgl_ != nullptr) fmt::print(" {:.7g}", fmt::join(spectra_[i], " "));
+      fmt::print("\n");
+    }
+  }
+
+  const Reflector& reflector_;
+  const reflectance::Rgl* rgl_ = nullptr;  ///< null without wavelengths
+  std::vector<Rgb> values_;
+  std::vector<std::vector<double>> spectra_;
+};
 
 ExitCode evaluate_lines(const Reflector& reflector, bool json) {
-  std::vector<Rgb> values;
+  ValueList values(reflector);
   std::string line;
   for (std::size_t number = 1; std::getline(std::cin, line); ++number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
@@ -67,10 +100,9 @@ ExitCode evaluate_lines(const Reflector& reflector, bool json) {
                  number, line);
       return ExitCode::BadInput;
     }
-    values.push_back(reflector.evaluate(direction_of({(*angles)[0], (*angles)[1]}),
-                                        direction_of({(*angles)[2], (*angles)[3]})));
+    values.add(direction_of({(*angles)[0], (*angles)[1]}), direction_of({(*angles)[2], (*angles)[3]}));
   }
-  print_values(values, json);
+  values.print(json);
   return ExitCode::Done;
 }
 
@@ -189,7 +221,9 @@ ExitCode evaluate_brdf(const BrdfArguments& arguments) {
   const auto u = direction_option(arguments.view, "--u");
   const auto v = direction_option(arguments.light, "--v");
   if (!u || !v) return ExitCode::BadCommandLine;
-  print_values({reflector->evaluate(*u, *v)}, arguments.json);
+  ValueList values(*reflector);
+  values.add(*u, *v);
+  values.print(arguments.json);
   return ExitCode::Done;
 }
 

@@ -54,6 +54,19 @@ TEST_F(BptBrdf, ListsAllModelsAsJson) {
   EXPECT_EQ(named("oren")["parameters"][0]["unit"], "rad");
 }
 
+TEST_F(BptBrdf, EvaluatesWavelengthsWhereDataHaveThem) {
+  const std::string folder = GRANADA_SOURCE_DIR "/tests/reflectance/rgl/";
+  const std::string copper = "rgl \"" + folder + "copper.bsdf\"";
+  const std::string text = out({"eval", copper, "--u", "0.3", "--v", "0.4,3"});
+  EXPECT_TRUE(text.starts_with("# R G B and 380 420 460 500 530 560 590 620 660 720 nm\n")) << text;
+  const nlohmann::json values = json({"eval", copper, "--u", "0.3", "--v", "0.4,3"});
+  EXPECT_EQ(values["wavelengths"].size(), 10U);
+  EXPECT_EQ(values["spectra"][0].size(), 10U);
+  EXPECT_GT(values["spectra"][0][9], values["spectra"][0][0]) << "copper is red";
+  EXPECT_FALSE(
+      json({"eval", "rgl \"" + folder + "matte.bsdf\"", "--u", "0.3", "--v", "0.4,3"}).contains("spectra"));
+}
+
 TEST_F(BptBrdf, EvaluatesOnePair) {
   EXPECT_EQ(out({"eval", "diffuse kd=(1, 0.5, 0)", "--u", "0,0", "--v", "0.5,1"}),
             "0.31830987 0.15915494 0\n");
