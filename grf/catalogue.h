@@ -51,6 +51,7 @@ struct ModelInfo {
   enum class ArgumentKind {
     Parameters,
     Terms,     ///< weights and names of defined BRDFs
+    Layers,    ///< names of defined BRDFs, see layer_names
     DataFile,  ///< the name of a file
   };
 

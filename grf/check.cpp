@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <system_error>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -157,6 +158,8 @@ class Check {
   void check_model(const BrdfModel& brdf, const Kind<BrdfModel>& kind, const Scope& scope) {
     if (is_combine(brdf)) return check_combine(brdf, scope);
     const std::size_t errors_before = diagnostics_.error_count();
+    if (!layer_names(brdf.keyword).empty()) check_layers(brdf, scope);
+    if (brdf.terms.size() != layer_names(brdf.keyword).size()) return;
     check_known_model(brdf, kind, scope);
     if (const ModelInfo* info = find_model(kind.models, brdf.keyword)) check_data_file(brdf, *info);
     if (diagnostics_.error_count() == errors_before) warn_of_gain(brdf);
@@ -208,6 +211,29 @@ class Check {
     ModelInfo info;
     info.keyword = "combine";
     for (const Argument& argument : brdf.arguments) report_unknown_parameter(argument, info, diagnostics_);
+  }
+
+  // Each layer multiplies the cost of those below it, and tables of a layer are computed from them.
+  void check_layers(const BrdfModel& brdf, const Scope& scope) {
+    const auto names = layer_names(brdf.keyword);
+    if (brdf.terms.size() != names.size()) {
+      return diagnostics_.error(brdf.location, fmt::format("'{}' needs the names of defined BRDFs: {}=NAME",
+                                                           brdf.keyword, fmt::join(names, "=NAME ")));
+    }
+    for (const CombineTerm& term : brdf.terms) check_reference<BrdfModel>(term.brdf, "BRDF", scope);
+    if (1 + deepest_layers(brdf, scope) <= MostLayers) return;
+    diagnostics_.error(brdf.location,
+                       fmt::format("'{}': over {} layers above each other", brdf.keyword, MostLayers));
+  }
+
+  /// The number of layers above each other in the BRDFs that another one names.
+  std::size_t deepest_layers(const BrdfModel& brdf, const Scope& scope) const {
+    std::size_t deepest = 0;
+    for (const CombineTerm& term : brdf.terms) {
+      const auto known = layers_.find(scope.find<BrdfModel>(term.brdf.name));
+      if (known != layers_.end()) deepest = std::max(deepest, known->second);
+    }
+    return deepest;
   }
 
   // Names of definitions are suggested too: an unknown keyword may be a misspelled definition.
@@ -276,6 +302,8 @@ class Check {
   void check_definition(const Definition& definition, const Scope& scope) {
     if (const auto* brdf = std::get_if<BrdfModel>(&definition.body)) {
       check_model(*brdf, brdfs_, scope);
+      // A file that is included twice enters its definitions twice: the latest are those that names find.
+      layers_[brdf] = deepest_layers(*brdf, scope) + (is_layered(*brdf) ? 1 : 0);
     } else if (const auto* pdf = std::get_if<PdfModel>(&definition.body)) {
       check_model(*pdf, pdfs_, scope);
     } else if (const auto* colour = std::get_if<Colour>(&definition.body)) {
@@ -324,7 +352,8 @@ class Check {
   Diagnostics& diagnostics_;
   FaceCheck faces_;
   LightCheck lights_;
-  std::map<std::string, LargestAlbedo> largest_albedos_;  ///< by the text of the BRDF
+  std::map<std::string, LargestAlbedo> largest_albedos_;      ///< by the text of the BRDF
+  std::unordered_map<const BrdfModel*, std::size_t> layers_;  ///< above each other, of definitions in scope
   std::set<std::string> files_with_default_;
   std::set<std::string> known_images_;  ///< not reported as missing (again): reported before, or to come
   std::vector<const Definition*> definitions_;

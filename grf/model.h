@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -48,7 +51,7 @@ struct Reference {
   bool operator==(const Reference&) const = default;
 };
 
-/// A term of a weighted sum of BRDFs.
+/// A term of a weighted sum of BRDFs, or a layer of weight 1.
 struct CombineTerm {
   float weight = 0;  ///< 0 or more
   Reference brdf;
@@ -59,7 +62,8 @@ struct CombineTerm {
 // BRDFs and sampling schemes are distinct types, so that a variant can hold either.
 
 struct BrdfModel : Model {
-  /// The terms of a `combine`, at least one; empty for other models.
+  /// The terms of a `combine`, at least one; the base of a `coat`; the base and the top of a `layer`; empty
+  /// for other models.
   std::vector<CombineTerm> terms;
   /// The data file after the keyword (`measured`), empty if there is none: as written, relative to the folder
   /// of the file that names it; quotes as in a mesh's name.
@@ -70,6 +74,16 @@ struct BrdfModel : Model {
 
   bool operator==(const BrdfModel&) const = default;
 };
+
+/// Returns the names of a layered model's BRDFs in the order of its terms: `base` of a `coat`, `base` and
+/// `top` of a `layer`, none for another keyword.
+std::span<const std::string_view> layer_names(std::string_view keyword);
+
+/// The largest number of layers above each other.
+constexpr std::size_t MostLayers = 8;
+
+/// Returns whether a BRDF consists of layers above each other, each of which names a BRDF.
+bool is_layered(const BrdfModel& brdf);
 
 struct PdfModel : Model {
   bool operator==(const PdfModel&) const = default;

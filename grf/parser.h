@@ -129,6 +129,7 @@ class Parser {
   bool parse_arguments(Model& model, std::optional<NextDefinition>* next);
   bool parse_value(const Token& name, Value& value);
   bool parse_terms(std::vector<CombineTerm>& terms);
+  bool parse_layered(BrdfModel& brdf, std::optional<NextDefinition>* next);
   bool parse_brdf_file(BrdfModel& brdf);
 
   // parser_mesh.cpp

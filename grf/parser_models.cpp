@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,8 +29,10 @@ std::optional<BrdfModel> Parser::parse_lone_brdf() {
   accept("brdf");
   BrdfModel brdf;
   if (!parse_keyword(brdf)) return std::nullopt;
-  if (same_keyword(brdf.keyword, "combine")) {
-    context_.diagnostics.error(brdf.location, "a 'combine' of names, but a single BRDF has no definitions");
+  if (same_keyword(brdf.keyword, "combine") || !layer_names(brdf.keyword).empty()) {
+    context_.diagnostics.error(
+        brdf.location,
+        fmt::format("a '{}' of names, but a single BRDF has no definitions", lower_case(brdf.keyword)));
     return std::nullopt;
   }
   if (lexer_.peek().kind == TokenKind::String) brdf.data_file = lexer_.next().text;
@@ -63,7 +66,7 @@ bool Parser::parse_model(BrdfModel& brdf, std::optional<NextDefinition>* next) {
                               scope.find<BrdfModel>(brdf.keyword) == nullptr && !lexer_.peek_second().is('=');
     if (lacks_weight) return fail_expected("the weight of a BRDF before its name");
   }
-  return parse_arguments(brdf, next);
+  return layer_names(brdf.keyword).empty() ? parse_arguments(brdf, next) : parse_layered(brdf, next);
 }
 
 bool Parser::parse_model(PdfModel& pdf, std::optional<NextDefinition>* next) {
@@ -140,6 +143,30 @@ bool Parser::parse_terms(std::vector<CombineTerm>& terms) {
     parse_reference<BrdfModel>(term.brdf);
     terms.push_back(std::move(term));
   } while (accept(',') || at_term());
+  return true;
+}
+
+// Parses the parameters of a layered model. Those that name a BRDF become its terms if all are there, and
+// else `check` says which are missing: a bare word may be the name of a definition.
+bool Parser::parse_layered(BrdfModel& brdf, std::optional<NextDefinition>* next) {
+  if (!parse_arguments(brdf, next)) return false;
+  std::vector<CombineTerm> terms;
+  std::vector<Argument> rest = brdf.arguments;
+  for (const std::string_view layer : layer_names(brdf.keyword)) {
+    const auto names_it = [layer](const Argument& argument) {
+      return same_keyword(argument.name, layer) && std::holds_alternative<Word>(argument.value);
+    };
+    const auto argument = std::find_if(rest.begin(), rest.end(), names_it);
+    if (argument == rest.end()) return true;
+    terms.push_back({1, {std::get<Word>(argument->value).text, argument->location}});
+    rest.erase(argument);
+    const auto twice = std::find_if(rest.begin(), rest.end(), names_it);
+    if (twice == rest.end()) continue;
+    context_.diagnostics.error(twice->location, fmt::format("the parameter '{}' is given twice", layer));
+    rest.erase(twice);
+  }
+  brdf.terms = std::move(terms);
+  brdf.arguments = std::move(rest);
   return true;
 }
 

@@ -1,6 +1,8 @@
 #include "grf/visit.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "grf/text_file.h"
@@ -86,7 +88,7 @@ class SumOfSums {
     while (!open_.empty()) {
       Open& top = open_.back();
       const Entry& entry = entries_[top.entry];
-      if (top.next_term == entry.model->terms.size()) {
+      if (top.next_term == entry.model->terms.size() || is_layered(*entry.model)) {
         inner_first_.push_back(top.entry);
         open_.pop_back();
         continue;
@@ -109,7 +111,8 @@ class SumOfSums {
     }
     std::vector<WeightedBrdf> result;
     for (const Entry& entry : entries_) {
-      if (entry.model->terms.empty()) result.push_back({entry.model, static_cast<float>(entry.weight)});
+      if (!entry.model->terms.empty() && !is_layered(*entry.model)) continue;
+      result.push_back({entry.model, static_cast<float>(entry.weight), entry.scope});
     }
     return result;
   }
@@ -121,6 +124,7 @@ class SumOfSums {
   };
   struct Entry {
     const BrdfModel* model;
+    Scope scope;
     std::vector<Term> terms;
     double weight = 0;
   };
@@ -134,7 +138,7 @@ class SumOfSums {
   std::size_t add(const BrdfModel& model, const Scope& scope) {
     const auto [known, is_new] = places_.emplace(&model, entries_.size());
     if (is_new) {
-      entries_.push_back({&model, {}});
+      entries_.push_back({&model, scope, {}});
       open_.push_back({known->second, scope});
     }
     return known->second;
@@ -220,8 +224,36 @@ ResolvedSurface resolve(const Surface& surface, const Scope& scope) {
 }
 
 std::vector<WeightedBrdf> summands_of(const BrdfModel& brdf, const Scope& scope) {
-  if (brdf.terms.empty()) return {{&brdf, 1}};
+  if (brdf.terms.empty() || is_layered(brdf)) return {{&brdf, 1, scope}};
   return SumOfSums(brdf, scope).weighted();
+}
+
+WeightedBrdf named_term(const BrdfModel& brdf, std::size_t term, const Scope& scope) {
+  const std::string& name = brdf.terms[term].brdf.name;
+  return {scope.find<BrdfModel>(name), brdf.terms[term].weight, scope.around(name)};
+}
+
+// A scope is the first so many definitions of a stack, so that a later definition never names an earlier
+// one's namesake: going back from the last, each name is found in the order of the stack.
+std::vector<Definition> definitions_needed(const BrdfModel& brdf, const Scope& scope) {
+  std::vector<const Definition*> needed;
+  std::set<std::pair<std::size_t, const Definition*>> open;
+  const auto add = [&open](const BrdfModel& model, const Scope& names) {
+    for (const CombineTerm& term : model.terms) {
+      const Scope around = names.around(term.brdf.name);
+      if (const Definition* found = names.find(term.brdf.name)) open.emplace(around.depth(), found);
+    }
+  };
+  add(brdf, scope);
+  while (!open.empty()) {
+    const auto [depth, definition] = *open.rbegin();
+    open.erase(std::prev(open.end()));
+    needed.push_back(definition);
+    if (const auto* body = std::get_if<BrdfModel>(&definition->body)) add(*body, scope.outermost(depth));
+  }
+  std::vector<Definition> copies;
+  for (auto one = needed.rbegin(); one != needed.rend(); ++one) copies.push_back(**one);
+  return copies;
 }
 
 std::vector<Vec3f> observers_of(const Scene& scene) {

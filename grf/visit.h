@@ -1,7 +1,7 @@
 // Visitors traverse a scene graph in order, with the transform and the definitions in scope at each block.
 #pragma once
 
-#include <compare>
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -36,6 +36,14 @@ class Scope {
   }
   /// Returns the scope at the definition that a name refers to, in which names in its body are looked up.
   Scope around(std::string_view name) const;
+  /// Returns the number of definitions that are in scope or hidden.
+  std::size_t depth() const { return depth_; }
+  /// Returns the scope of the outermost definitions, at most those of this one.
+  Scope outermost(std::size_t depth) const {
+    Scope scope = *this;
+    scope.depth_ = std::min(depth, depth_);
+    return scope;
+  }
   /// Returns all names in scope.
   std::vector<std::string> names() const;
   /// Returns the names in scope of definitions of this kind.
@@ -133,8 +141,7 @@ ResolvedSurface resolve(const Surface& surface, const Scope& scope);
 struct WeightedBrdf {
   const BrdfModel* model = nullptr;
   float weight = 1;
-
-  auto operator<=>(const WeightedBrdf&) const = default;
+  Scope scope;  ///< in which the names of its layers are looked up
 };
 
 /// Flattens a `combine` of nested sums into BRDFs with weights; any other BRDF gives itself. Each BRDF is
@@ -142,5 +149,13 @@ struct WeightedBrdf {
 /// BRDF's own names are looked up. Takes time linear in the number of terms, and no recursion, however long
 /// the chain of definitions is.
 std::vector<WeightedBrdf> summands_of(const BrdfModel& brdf, const Scope& scope);
+
+/// Returns the BRDF that the i-th term of another one names, with the scope in which its own names are looked
+/// up; the model is null if the name is undefined.
+WeightedBrdf named_term(const BrdfModel& brdf, std::size_t term, const Scope& scope);
+
+/// Returns copies of the definitions that a BRDF needs, directly or through others, in an order in which each
+/// precedes those that name it. Undefined names are skipped.
+std::vector<Definition> definitions_needed(const BrdfModel& brdf, const Scope& scope);
 
 }  // namespace grf

@@ -34,6 +34,15 @@ std::string text_of(const std::vector<Argument>& arguments) {
   return text;
 }
 
+std::string text_of_layers(const BrdfModel& brdf) {
+  std::string text;
+  const auto names = layer_names(brdf.keyword);
+  for (std::size_t i = 0; i < std::min(names.size(), brdf.terms.size()); ++i) {
+    text += fmt::format(" {}={}", names[i], brdf.terms[i].brdf.name);
+  }
+  return text;
+}
+
 }  // namespace
 
 void append(std::string& text, const Vec2f& v) {
@@ -117,6 +126,7 @@ std::string respelled(std::string word, std::uint64_t number) {
 std::string to_text(const BrdfModel& brdf) {
   std::string text = brdf.keyword;
   if (!brdf.data_file.empty()) text += ' ' + quoted(brdf.data_file);
+  if (is_layered(brdf)) return text + text_of_layers(brdf) + text_of(brdf.arguments);
   for (const CombineTerm& term : brdf.terms) {
     text += fmt::format("{}{} {}", &term == brdf.terms.data() ? " " : ", ", term.weight, term.brdf.name);
   }

@@ -273,7 +273,7 @@ ModelOfKind SceneGenerator::model() {
   model.keyword = keyword();
   if constexpr (std::is_same_v<ModelOfKind, BrdfModel>) {
     const std::vector<std::string> names = names_of<BrdfModel>();
-    if (!names.empty() && number_up_to(2) == 0) return combine(names);
+    if (!names.empty() && number_up_to(2) == 0) return coin() ? combine(names) : layered(names);
     if (number_up_to(3) == 0) model.data_file = quotable();
     // The files of such instances are written where included ones are.
     if (with_includes_ && number_up_to(3) == 0) model.instance_file = std::to_string(++file_count_) + ".brdf";
@@ -290,6 +290,16 @@ BrdfModel SceneGenerator::combine(const std::vector<std::string>& names) {
   const int count = 1 + number_up_to(2);
   for (int i = 0; i < count; ++i) brdf.terms.push_back({std::abs(number()), {one_of(names), {}}});
   if (coin()) brdf.arguments.push_back({"sx", value(), {}});
+  return brdf;
+}
+
+BrdfModel SceneGenerator::layered(const std::vector<std::string>& names) {
+  BrdfModel brdf;
+  brdf.keyword = one_of({"coat", "Layer"});
+  for (std::size_t i = 0; i < layer_names(brdf.keyword).size(); ++i) {
+    brdf.terms.push_back({1, {one_of(names), {}}});
+  }
+  if (coin()) brdf.arguments.push_back({"ior", value(), {}});
   return brdf;
 }
 

@@ -43,6 +43,7 @@ class SceneGenerator {
   template <class ModelOfKind>
   ModelOfKind model();
   BrdfModel combine(const std::vector<std::string>& names);
+  BrdfModel layered(const std::vector<std::string>& names);
   template <class Body>
   std::vector<std::string> names_of() const;
   Texture texture();

@@ -58,6 +58,14 @@ std::string chain_of_definitions(std::size_t count) {
   return text + "begin " + square(fmt::format("brdf c{}", count - 1)) + "end\n";
 }
 
+/// Coats over the end of a chain of sums, which each of them could go through.
+std::string coats_over_a_chain(std::size_t count) {
+  std::string text = "def c0 = brdf diffuse kd=0.5\n";
+  for (std::size_t i = 1; i < count; ++i) text += fmt::format("def c{} = brdf combine 1 c{}\n", i, i - 1);
+  for (std::size_t i = 0; i < count; ++i) text += fmt::format("def k{} = brdf coat base=c{}\n", i, count - 1);
+  return text + "begin " + square("brdf k0") + "end\n";
+}
+
 std::string combine_of(std::size_t terms) {
   std::string text = "def a = brdf diffuse kd=0.5\ndef sum = brdf combine ";
   for (std::size_t i = 0; i < terms; ++i)
@@ -146,6 +154,7 @@ std::vector<Input> block_inputs() {
        pieces("def a = brdf phong n=10 begin\n", same(square("brdf a")), "end\n")},
       {"chain of definitions", "grf", chain_of_definitions, 500},
       {"terms of a combine", "grf", combine_of, 500},
+      {"coats over a chain", "grf", coats_over_a_chain, 500},
       {"meshes that are defined", "grf",
        pieces(
            "", [](std::size_t i) { return fmt::format("def m{} = ", i) + square(); }, "begin use m0 end\n")},
