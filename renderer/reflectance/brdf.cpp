@@ -2,6 +2,7 @@
 
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/each_type.h"
+#include "renderer/reflectance/layers.h"
 
 namespace reflectance {
 
@@ -13,10 +14,15 @@ Brdf& Brdf::operator=(const Brdf& other) = default;
 Brdf& Brdf::operator=(Brdf&& other) noexcept = default;
 
 float CombinedBrdf::albedo_estimate(const Vec3f& u) const {
-  return weight * std::visit([&](const auto& model) { return model.albedo_estimate(u); }, brdf);
+  const float own = weight * std::visit([&](const auto& model) { return model.albedo_estimate(u); }, brdf);
+  return transmission ? own * transmission->estimate(u) : own;
 }
 
-std::optional<Brdf> make_brdf(const grf::Model& data) { return make_any<Brdf, AnyBrdf>(data); }
+std::optional<Brdf> make_brdf(const grf::Model& data) {
+  if (grf::same_keyword(data.keyword, Coat::table().keyword)) return make<Coat>(data).facets();
+  if (grf::same_keyword(data.keyword, Layer::table().keyword)) return Combine();
+  return make_any<Brdf, AnyBrdf>(data);
+}
 
 Rgb evaluate(const Brdf& brdf, const Vec3f& u, const Vec3f& v) {
   return std::visit([&](const auto& model) { return model.evaluate(u, v); }, brdf);
@@ -111,6 +117,8 @@ std::vector<grf::ModelInfo> brdf_infos() {
   for (grf::ModelInfo& info : infos) {
     info.largest_albedo = [](const grf::Model& data) { return largest_albedo(*make_brdf(data)); };
   }
+  infos.push_back(info_of<Coat>());
+  infos.push_back(info_of<Layer>());
   return infos;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -32,6 +33,7 @@
 #include "renderer/reflectance/strauss.h"
 #include "renderer/reflectance/thinfilm.h"
 #include "renderer/reflectance/torrance.h"
+#include "renderer/reflectance/transmission.h"
 #include "renderer/reflectance/ward.h"
 #include "renderer/reflectance/westin.h"
 
@@ -66,17 +68,19 @@ class Brdf : public AnyBrdf {
   Brdf& operator=(Brdf&& other) noexcept;
 };
 
-/// One term of a weighted sum.
+/// One term of a weighted sum, which may be below layers.
 struct CombinedBrdf {
   float weight = 0;
   Brdf brdf;
+  std::shared_ptr<const Transmission> transmission = nullptr;  ///< of the layers above; null: there are none
 
   float albedo_estimate(const Vec3f& u) const;
 };
 struct CombinedBrdfs : std::vector<CombinedBrdf> {};
 
 /// Makes the BRDF that a scene's model describes, or returns nothing if no BRDF has its keyword. Values must
-/// have been checked against the catalogue. BrdfMaker also loads measured data and resolves sums.
+/// have been checked against the catalogue. BrdfMaker also loads measured data and resolves sums and layers:
+/// a `coat` is that over black here.
 std::optional<Brdf> make_brdf(const grf::Model& data);
 
 /// Returns the BRDF of a face that has none: diffuse with kd = 0.5.

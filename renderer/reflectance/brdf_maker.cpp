@@ -1,12 +1,14 @@
 #include "renderer/reflectance/brdf_maker.h"
 
 #include <cmath>
+#include <unordered_set>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "grf/text_file.h"
 #include "grf/write.h"
+#include "renderer/reflectance/layers.h"
 
 namespace reflectance {
 namespace {
@@ -20,25 +22,76 @@ std::string data_path(const grf::BrdfModel& data) {
 
 std::optional<Brdf> BrdfMaker::make(const grf::BrdfModel& data, const grf::Scope& scope) {
   if (data.terms.empty()) return make_summand(data);
+  if (is_layered(data)) return make_layered(data, scope);
   auto parts = std::make_shared<CombinedBrdfs>();
   for (const grf::WeightedBrdf& summand : summands_of(data, scope)) {
-    auto brdf = make_summand(*summand.model);
+    auto brdf = make(*summand.model, summand.scope);
     if (!brdf) return std::nullopt;
     if (!std::isfinite(summand.weight)) {
       diagnostics_.error(data.location, "the product of the BRDFs' weights overflows a float");
       return std::nullopt;
     }
-    parts->push_back({summand.weight, *std::move(brdf)});
+    if (const auto* layers = std::get_if<Combine>(&*brdf)) {
+      for (const CombinedBrdf& part : *layers->parts) {
+        parts->push_back({summand.weight * part.weight, part.brdf, part.transmission});
+      }
+    } else {
+      parts->push_back({summand.weight, *std::move(brdf), nullptr});
+    }
   }
   return Combine{std::move(parts)};
 }
 
+std::optional<Brdf> BrdfMaker::make_layered(const grf::BrdfModel& data, const grf::Scope& scope) {
+  if (layers_ == grf::MostLayers) {
+    diagnostics_.error(data.location,
+                       fmt::format("'{}': over {} layers above each other", data.keyword, grf::MostLayers));
+    return std::nullopt;
+  }
+  ++layers_;
+  const auto base = make_term(data, 0, scope);
+  const auto top = base && data.terms.size() > 1 ? make_term(data, 1, scope) : std::nullopt;
+  --layers_;
+  if (!base) return std::nullopt;
+  if (data.terms.size() == 1) return layered(*base, reflectance::make<Coat>(data));
+  return top ? std::optional<Brdf>(layered(*base, *top)) : std::nullopt;
+}
+
+std::optional<Brdf> BrdfMaker::make_term(const grf::BrdfModel& data, std::size_t term,
+                                         const grf::Scope& scope) {
+  const grf::WeightedBrdf named = named_term(data, term, scope);
+  if (named.model != nullptr) return make(*named.model, named.scope);
+  diagnostics_.error(data.location,
+                     fmt::format("no BRDF called '{}' is defined", data.terms[term].brdf.name));
+  return std::nullopt;
+}
+
 std::vector<const grf::BrdfModel*> BrdfMaker::models_of(const grf::BrdfModel& data, const grf::Scope& scope) {
   std::vector<const grf::BrdfModel*> models;
-  for (const grf::WeightedBrdf& summand : summands_of(data, scope)) {
-    if (summand.weight > 0) models.push_back(summand.model);
-  }
+  for (const grf::WeightedBrdf& summand : all_of(data, scope)) models.push_back(summand.model);
   return models;
+}
+
+// The number of layers is bounded, and each BRDF is visited once, so that names that are used again and again
+// do not multiply the work.
+std::vector<grf::WeightedBrdf> BrdfMaker::all_of(const grf::BrdfModel& data, const grf::Scope& scope) {
+  std::vector<grf::WeightedBrdf> all;
+  std::vector<grf::WeightedBrdf> open = {{&data, 1, scope}};
+  std::unordered_set<const grf::BrdfModel*> visited;
+  while (!open.empty()) {
+    const grf::WeightedBrdf next = open.back();
+    open.pop_back();
+    for (const grf::WeightedBrdf& summand : summands_of(*next.model, next.scope)) {
+      if (!(summand.weight > 0) || !visited.insert(summand.model).second) continue;
+      all.push_back(summand);
+      if (!is_layered(*summand.model)) continue;
+      for (std::size_t i = summand.model->terms.size(); i > 0; --i) {
+        const grf::WeightedBrdf named = named_term(*summand.model, i - 1, summand.scope);
+        if (named.model != nullptr) open.push_back(named);
+      }
+    }
+  }
+  return all;
 }
 
 std::vector<std::string> BrdfMaker::data_files_of(const grf::BrdfModel& data, const grf::Scope& scope) {
@@ -55,6 +108,13 @@ std::string BrdfMaker::identity(const grf::BrdfModel& data, const grf::Scope& sc
     grf::BrdfModel model = *summand.model;
     if (!model.data_file.empty()) model.data_file = grf::canonical_path(data_path(model));
     text += fmt::format("{} {} ", summand.weight, grf::to_text(model));
+    if (!is_layered(model) || layers_ == grf::MostLayers) continue;
+    ++layers_;
+    for (std::size_t i = 0; i < model.terms.size(); ++i) {
+      const grf::WeightedBrdf named = named_term(model, i, summand.scope);
+      if (named.model != nullptr) text += fmt::format("[{}] ", identity(*named.model, named.scope));
+    }
+    --layers_;
   }
   return text;
 }

@@ -22,8 +22,8 @@ class BrdfMaker {
   /// Makes a BRDF, with names looked up in the scope, or returns nothing after an error.
   std::optional<Brdf> make(const grf::BrdfModel& data, const grf::Scope& scope);
 
-  /// Returns the terms of a sum, nested sums expanded and weights of 0 left out, or the model itself. Reads
-  /// no data.
+  /// Returns the terms of a sum, nested sums expanded and weights of 0 left out, or the model itself; and
+  /// those of the BRDFs that layers consist of, after the layered model. Reads no data.
   std::vector<const grf::BrdfModel*> models_of(const grf::BrdfModel& data, const grf::Scope& scope);
 
   /// Returns the paths of the data files that a BRDF uses.
@@ -34,12 +34,16 @@ class BrdfMaker {
 
  private:
   std::optional<Brdf> make_summand(const grf::BrdfModel& data);
+  std::optional<Brdf> make_layered(const grf::BrdfModel& data, const grf::Scope& scope);
+  std::optional<Brdf> make_term(const grf::BrdfModel& data, std::size_t term, const grf::Scope& scope);
+  static std::vector<grf::WeightedBrdf> all_of(const grf::BrdfModel& data, const grf::Scope& scope);
   template <class Model>
   std::shared_ptr<const typename Model::Data> data_of(const grf::BrdfModel& data);
 
   grf::Diagnostics& diagnostics_;
   // What files were loaded as, by the model's keyword and the canonical path.
   std::map<std::pair<std::string_view, std::string>, std::shared_ptr<const void>> loaded_;
+  std::size_t layers_ = 0;  ///< above the BRDF that is being made
 };
 
 }  // namespace reflectance

@@ -39,7 +39,9 @@ Reflection reflection_of(const CombinedBrdfs& parts, const Albedos& albedos, con
     total += albedos[i];
     std::visit(
         [&](const auto& model) {
-          sum.value += model.evaluate(u, v) * parts[i].weight;
+          Rgb value = model.evaluate(u, v) * parts[i].weight;
+          if (parts[i].transmission) value *= parts[i].transmission->factor(u, v);
+          sum.value += value;
           if (albedos[i] > 0) sum.pdf += albedos[i] * model.pdf(u, v);
         },
         parts[i].brdf);
@@ -55,7 +57,10 @@ Vec3<Real> Combine::evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
   Vec3<Real> sum(0);
   if (!parts) return sum;
   for (const CombinedBrdf& part : *parts) {
-    sum += std::visit([&](const auto& model) { return model.evaluate(u, v); }, part.brdf) * Real(part.weight);
+    Vec3<Real> value =
+        std::visit([&](const auto& model) { return model.evaluate(u, v); }, part.brdf) * Real(part.weight);
+    if (part.transmission) value *= part.transmission->factor(u, v);
+    sum += value;
   }
   return sum;
 }
@@ -66,7 +71,11 @@ template Vec3<double> Combine::evaluate(const Vec3<double>& u, const Vec3<double
 Rgb Combine::specular_weight(const Vec3f& u) const {
   Rgb sum(0);
   if (!parts) return sum;
-  for (const CombinedBrdf& part : *parts) sum += reflectance::specular_weight(part.brdf, u) * part.weight;
+  for (const CombinedBrdf& part : *parts) {
+    Rgb weight = reflectance::specular_weight(part.brdf, u) * part.weight;
+    if (part.transmission) weight *= part.transmission->factor(u, u);
+    sum += weight;
+  }
   return sum;
 }
 

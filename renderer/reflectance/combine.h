@@ -9,8 +9,8 @@ namespace reflectance {
 
 struct CombinedBrdfs;
 
-/// A weighted sum of other BRDFs, none of which is a sum itself. An empty sum is black. Sampling picks a term
-/// with a probability proportional to its albedo.
+/// A weighted sum of other BRDFs, none of which is a sum itself, and some of which may be below layers. An
+/// empty sum is black. Sampling picks a term with a probability proportional to its albedo.
 struct Combine {
   std::shared_ptr<const CombinedBrdfs> parts;
 

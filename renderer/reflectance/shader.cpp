@@ -17,8 +17,16 @@ namespace {
 constexpr std::size_t MostParameters = 224;
 
 /// The files shared by formulas, in order of dependency.
-constexpr std::array SharedFiles = {"glsl_functions", "float_functions", "common",      "fresnel", "beckmann",
-                                    "refraction",     "kirchhoff",       "microfacets", "fibres"};
+constexpr std::array SharedFiles = {"glsl_functions", "float_functions", "common",    "fresnel",
+                                    "beckmann",       "refraction",      "kirchhoff", "microfacets",
+                                    "fibres",         "transmission"};
+
+constexpr std::string_view TransmissionText = R"(
+vec3 transmission(float c, int first) {
+  int row = transmission_row(c);
+  return mix(brdf_parameters[first + row], brdf_parameters[first + row + 1], transmission_fraction(c, row));
+}
+)";
 
 std::string parameter_text(std::size_t k) { return fmt::format("brdf_parameters[{}]", k); }
 
@@ -34,6 +42,7 @@ class Maker {
     parameters_.resize(std::max<std::size_t>(parameters_.size(), 1));
     std::string text = shader_functions({keywords_.begin(), keywords_.end()});
     text += fmt::format("uniform vec3 brdf_parameters[{}];\n", parameters_.size());
+    text += TransmissionText;
     text +=
         fmt::format("vec3 brdf_value(vec3 u, vec3 v) {{ return {}; }}\n", sum_.empty() ? "vec3(0)" : sum_);
     return {std::move(text), std::move(parameters_)};
@@ -44,9 +53,17 @@ class Maker {
     if (!sum.parts) return true;
     return std::all_of(sum.parts->begin(), sum.parts->end(), [this](const CombinedBrdf& part) {
       parameters_.emplace_back(part.weight);
-      const std::string weight = parameter_text(parameters_.size() - 1) + ".x * ";
+      std::string weight = parameter_text(parameters_.size() - 1) + ".x * ";
+      if (part.transmission) weight += transmission_call(*part.transmission) + " * ";
       return std::visit([&](const auto& model) { return add_term(model, weight); }, part.brdf);
     });
+  }
+
+  /// Adds the values of what layers transmit, and returns the GLSL of the factor.
+  std::string transmission_call(const Transmission& transmission) {
+    const std::size_t first = parameters_.size();
+    for (const Rgb& row : transmission.table()) parameters_.push_back(row);
+    return fmt::format("transmission(u.z, {0}) * transmission(v.z, {0})", first);
   }
 
   template <class Model>

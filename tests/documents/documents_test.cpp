@@ -182,7 +182,9 @@ std::string model_section(const grf::ModelInfo& model) {
     text += property("Equal within 1e-3 in float, double and GLSL", model.not_continuous);
   }
   if (!model.paper.empty()) text += fmt::format("- Paper: {}.\n", model.paper);
-  if (!model.formula.empty()) {
+  if (!grf::layer_names(model.keyword).empty()) {
+    text += "- Code: [layers.cpp](reflectance/layers.cpp), [layers.h](reflectance/layers.h).\n";
+  } else if (!model.formula.empty()) {
     text +=
         fmt::format("- Code: [{0}.glsl](reflectance/{0}.glsl), [{0}.h](reflectance/{0}.h).\n", model.keyword);
   }

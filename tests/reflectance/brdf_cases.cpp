@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/reflectance/layers.h"
 #include "tests/reflectance/rgl_cases.h"
 
 namespace test {
@@ -41,6 +42,20 @@ Brdf simple_brdf(const std::string& text) {
     throw std::runtime_error(diagnostics.to_text());
   }
   return *reflectance::make_brdf(*model);
+}
+
+/// Makes a coat from its parameters, which the format gives only together with a base.
+reflectance::Coat coat_of(const std::string& parameters) {
+  grf::Diagnostics diagnostics;
+  auto model = grf::read_brdf("ggx" + parameters, "test", diagnostics);
+  if (!model) throw std::runtime_error(diagnostics.to_text());
+  return reflectance::make<reflectance::Coat>(*model);
+}
+
+Brdf layered_of(const std::string& top, const Brdf& base) {
+  constexpr std::string_view Coat = "coat";
+  if (top.starts_with(Coat)) return reflectance::layered(base, coat_of(top.substr(Coat.size())));
+  return reflectance::layered(base, simple_brdf(top));
 }
 
 Brdf sum_of(const std::string& text) {
@@ -130,6 +145,11 @@ class PairGenerator {
 Brdf brdf_of(const std::string& text) {
   constexpr std::string_view Table = "table of ";
   if (text.starts_with(Table)) return table_of(text.substr(Table.size()));
+  constexpr std::string_view Over = " over ";
+  if (const auto over = text.find(Over); over != std::string::npos) {
+    return layered_of(text.substr(0, over), brdf_of(text.substr(over + Over.size())));
+  }
+  if (text.starts_with("coat")) return coat_of(text.substr(4)).facets();
   constexpr std::string_view Rgl = "rgl ";
   if (text.starts_with(Rgl)) return rgl_of(text.substr(Rgl.size()));
   return text.find(" + ") == std::string::npos ? simple_brdf(text) : sum_of(text);

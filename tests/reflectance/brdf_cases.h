@@ -14,8 +14,8 @@ using reflectance::Brdf;
 using reflectance::Vec3f;
 
 /// Makes a BRDF from a text such as `ward sx=0.1`; `0.5 ward sx=0.1 + 0.2 specular` is a weighted sum, and
-/// `table of ward sx=0.1` a measured table of its values,
-/// and `rgl matte` the file of that name in tests/reflectance/rgl.
+/// `table of ward sx=0.1` a measured table of its values, `rgl matte` the file of that name in
+/// tests/reflectance/rgl, and `coat alpha=0.1 over diffuse` or `phong over diffuse` a BRDF below a layer.
 Brdf brdf_of(const std::string& text);
 
 inline grf::ModelInfo info_of(const Brdf& brdf) {
@@ -119,6 +119,9 @@ inline const std::vector<std::string>& plain_cases() {
       "he sigma=4 tau=4 lambda=400",
       "0.5 diffuse kd=0.8 + 0.4 lewis n=60 ks=1 kd=0 + 0.1 specular",
       "0.3 ward sx=0.3 sy=0.15 + 0 phong + 0.7 torrance rough=0.2",
+      "coat alpha=0.3 tint=(0.9, 0.5, 0.2) over diffuse kd=0.8",
+      "coat alpha=0.2 over ggx alpha=0.4 F0=(0.9, 0.6, 0.3)",
+      "ward sx=0.2 sy=0.4 ks=0.5 kd=0 over lewis n=20 ks=0.4 kd=0.4",
   };
   return cases;
 }

@@ -114,7 +114,9 @@ const std::vector<Promise>& promises() {
         {"thinfilm alpha=0.1 ay=0.4 nimag=3"},
         {"gltf metallic=1 anisotropy=0.5"},
         {"rgl brushed_half"},
-        {"0.5 diffuse + 0.5 ward sx=0.2 sy=0.4"}},
+        {"0.5 diffuse + 0.5 ward sx=0.2 sy=0.4"},
+        {"coat alpha=0.3 over ward sx=0.2 sy=0.4"},
+        {"ward sx=0.2 sy=0.4 over diffuse"}},
        is_turned_to_another_value},
       {"Reciprocal",
        &grf::ModelInfo::not_reciprocal,
@@ -123,7 +125,9 @@ const std::vector<Promise>& promises() {
         {"sheen"},
         {"gltf baseColor=0 specular=0 sheenColor=1"},
         {"rgl matte"},
-        {"0.1 diffuse + 0.5 strauss s=0.6 m=0 ks=1 kd=0"}},
+        {"0.1 diffuse + 0.5 strauss s=0.6 m=0 ks=1 kd=0"},
+        {"coat alpha=0.0001 over strauss s=0.6 m=0 ks=1 kd=0"},
+        {"sheen over diffuse kd=0"}},
        is_another_value_swapped},
       {"Conserving",
        &grf::ModelInfo::not_conserving,
@@ -142,7 +146,9 @@ const std::vector<Promise>& promises() {
         {"thinfilm alpha=0.555 ay=0.111 nreal=0.001 nimag=100", 80},
         {"table of blinn n=5 ks=1 kd=0", 20},
         {"rgl matte", 89},
-        {"0.7 diffuse kd=0.8 + 0.7 diffuse kd=0.8", 30}},
+        {"0.7 diffuse kd=0.8 + 0.7 diffuse kd=0.8", 30},
+        {"coat alpha=0.3 over blinn n=5 ks=1 kd=0", 0},
+        {"blinn n=5 ks=1 kd=0 over diffuse", 0}},
        reflects_more_than_it_receives},
       {"TheSameInFloat",
        &grf::ModelInfo::not_continuous,
@@ -166,6 +172,7 @@ class Promises : public testing::TestWithParam<Promise> {};
 
 std::string keyword_of(const std::string& brdf) {
   if (brdf.starts_with("table")) return "measured";
+  if (brdf.find(" over ") != std::string::npos && !brdf.starts_with("coat")) return "layer";
   return brdf.find(" + ") != std::string::npos ? "combine" : brdf.substr(0, brdf.find(' '));
 }
 
