@@ -230,7 +230,7 @@ BrdfLobes gltf(const Arguments& a) {
   return {base * (1 - metallic), base * metallic + normal * (1 - metallic), 2 / (along * across) - 2};
 }
 
-constexpr std::array<BrdfRule, 27> BrdfRules = {{
+constexpr std::array<BrdfRule, 28> BrdfRules = {{
     {"diffuse", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"minnaert", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"oren", "r", "", "", [](const Arguments& a) { return diffuse(a.colour({"r"}, 0.5)); }},
@@ -260,6 +260,12 @@ constexpr std::array<BrdfRule, 27> BrdfRules = {{
     {"ggx", "", "ks F0, or ks F", "2/(ax ay) - 2", ggx},
     {"gltf", "(1 - metallic) baseColor", "metallic baseColor + (1 - metallic) F0", "2/(ax ay) - 2", gltf},
     {"thinfilm", "", "ks F, F at 610, 550 and 465 nm", "2/(ax ay) - 2", thinfilm},
+    {"coat", "", "((ior - 1)/(ior + 1))^2", "2/alpha^2 - 2",
+     [](const Arguments& a) {
+       const double root = (a.number({"ior", "nreal"}, 1.5) - 1) / (a.number({"ior", "nreal"}, 1.5) + 1);
+       const double alpha = a.number({"alpha"}, 0.1);
+       return BrdfLobes{Vec3d(0), Vec3d(root * root), 2 / (alpha * alpha) - 2};
+     }},
     {"sheen", "ks R, R the mean albedo of the fibres", "", "", sheen},
 }};
 
@@ -279,6 +285,16 @@ BrdfLobes brdf_lobes(const grf::BrdfModel& brdf) {
   return {in_unit(lobes.diffuse), in_unit(lobes.glossy), exponent};
 }
 
+BrdfLobes layered_lobes(const grf::BrdfModel& brdf, std::span<const BrdfLobes> layers) {
+  if (layers.empty()) return Unknown;
+  const bool is_coat = layers.size() == 1;
+  const BrdfLobes top = is_coat ? brdf_lobes(brdf) : layers[1];
+  Vec3d below = Vec3d(1) - in_unit(top.diffuse + top.glossy);
+  if (is_coat) below *= Arguments(brdf).colour({"tint"}, 1);
+  const BrdfLobes base = {layers[0].diffuse * below, layers[0].glossy * below, layers[0].exponent};
+  return sum_of_lobes(std::array<WeightedLobes, 2>{{{1, top}, {1, base}}});
+}
+
 BrdfLobes sum_of_lobes(std::span<const WeightedLobes> terms) {
   BrdfLobes total;
   double strongest = 0;
@@ -293,11 +309,28 @@ BrdfLobes sum_of_lobes(std::span<const WeightedLobes> terms) {
   return {in_unit(total.diffuse), in_unit(total.glossy), total.exponent};
 }
 
+namespace {
+
+/// Returns the lobes of a layered BRDF. `check` bounds the number of layers.
+BrdfLobes lobes_of_layers(const grf::BrdfModel& brdf, const grf::Scope& scope) {
+  std::vector<BrdfLobes> layers;
+  for (std::size_t i = 0; i < brdf.terms.size(); ++i) {
+    const grf::WeightedBrdf named = grf::named_term(brdf, i, scope);
+    layers.push_back(named.model != nullptr ? brdf_lobes(*named.model, named.scope) : Unknown);
+  }
+  return layered_lobes(brdf, layers);
+}
+
+}  // namespace
+
 BrdfLobes brdf_lobes(const grf::BrdfModel& brdf, const grf::Scope& scope) {
   if (brdf.terms.empty()) return brdf_lobes(brdf);
+  if (is_layered(brdf)) return lobes_of_layers(brdf, scope);
   std::vector<WeightedLobes> terms;
   for (const grf::WeightedBrdf& summand : grf::summands_of(brdf, scope)) {
-    terms.push_back({static_cast<double>(summand.weight), brdf_lobes(*summand.model)});
+    const BrdfLobes lobes = is_layered(*summand.model) ? lobes_of_layers(*summand.model, summand.scope)
+                                                       : brdf_lobes(*summand.model);
+    terms.push_back({static_cast<double>(summand.weight), lobes});
   }
   return sum_of_lobes(terms);
 }

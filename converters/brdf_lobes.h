@@ -30,6 +30,10 @@ struct WeightedLobes {
   BrdfLobes lobes;
 };
 
+/// Returns the lobes of a layered BRDF, given those of its base and, for a `layer`, its top. The base gets
+/// what the layer above does not reflect at normal incidence, and what a coat does not absorb.
+BrdfLobes layered_lobes(const grf::BrdfModel& brdf, std::span<const BrdfLobes> layers);
+
 /// Returns the lobes of a weighted sum, with the exponent of the strongest glossy lobe.
 BrdfLobes sum_of_lobes(std::span<const WeightedLobes> terms);
 

@@ -300,6 +300,11 @@ class Downgrade {
       brdf.arguments.clear();
       if (!brdf.instance_file.empty()) changed_file_ = {brdf.instance_file, brdf.location};
     }
+    if (is_layered(brdf)) {
+      diagnostics_.error(
+          brdf.location,
+          fmt::format("'{}' names a BRDF as a value, which the grammar of 2008 lacks", brdf.keyword));
+    }
     downgrade(static_cast<grf::Model&>(brdf));
   }
 

@@ -31,8 +31,11 @@ constexpr std::string_view OwnName = "$combine";
 std::optional<grf::BrdfModel> read_exact_brdf(std::string_view text,
                                               const std::function<bool(const std::string&)>& is_known) {
   grf::Diagnostics ignored_diagnostics;
-  if (!text.starts_with("combine ")) return grf::read_brdf(std::string(text), "comment", ignored_diagnostics);
-  // A `combine` is only valid in the scope of its terms.
+  const std::string_view keyword = text.substr(0, text.find(' '));
+  if (keyword != "combine" && grf::layer_names(keyword).empty()) {
+    return grf::read_brdf(std::string(text), "comment", ignored_diagnostics);
+  }
+  // A `combine` is only valid in the scope of its terms, and so are layers.
   std::string scene = "def ";
   for (const std::string& name : identifiers_of(text)) {
     if (is_known(name)) scene += name + " = brdf diffuse\n";

@@ -9,8 +9,8 @@
 
 namespace convert {
 
-/// Parses the BRDF of a comment `# grf:`, or returns nothing if it is invalid. Each term of a `combine` must
-/// name a material, by its identifier, for which `is_known` returns true.
+/// Parses the BRDF of a comment `# grf:`, or returns nothing if it is invalid. Each term of a `combine` or a
+/// layer must name a material, by its identifier, for which `is_known` returns true.
 std::optional<grf::BrdfModel> read_exact_brdf(std::string_view text,
                                               const std::function<bool(const std::string&)>& is_known);
 

@@ -195,13 +195,15 @@ std::optional<grf::BrdfModel> MtlWriter::with_named_terms(const Key& key) const 
 BrdfLobes MtlWriter::lobes_of(const grf::BrdfModel& brdf,
                               const std::vector<const grf::BrdfModel*>& terms) const {
   if (brdf.terms.empty()) return brdf_lobes(brdf);
-  std::vector<WeightedLobes> lobes;
+  std::vector<WeightedLobes> sum;
+  std::vector<BrdfLobes> layers;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const auto known = lobes_of_definitions_.find(terms[i]);
-    if (known == lobes_of_definitions_.end()) continue;  // the name is undefined
-    lobes.push_back({static_cast<double>(brdf.terms[i].weight), known->second});
+    const bool is_defined = known != lobes_of_definitions_.end();
+    layers.push_back(is_defined ? known->second : BrdfLobes());
+    if (is_defined) sum.push_back({static_cast<double>(brdf.terms[i].weight), known->second});
   }
-  return sum_of_lobes(lobes);
+  return is_layered(brdf) ? layered_lobes(brdf, layers) : sum_of_lobes(sum);
 }
 
 PhongMaterial MtlWriter::phong_of(const Key& key) const {
