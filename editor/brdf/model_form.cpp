@@ -10,6 +10,7 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/brdf/data_file_row.h"
+#include "editor/brdf/layers_editor.h"
 #include "editor/brdf/parameter_rows.h"
 #include "editor/brdf/terms_editor.h"
 #include "editor/controls/form_widgets.h"
@@ -113,12 +114,13 @@ void BrdfForm::choose(int index) {
 
 void BrdfForm::rebuild() {
   using ArgumentKind = grf::ModelInfo::ArgumentKind;
-  for (QWidget* old : std::initializer_list<QWidget*>{terms_, data_file_}) {
+  for (QWidget* old : std::initializer_list<QWidget*>{terms_, layers_, data_file_}) {
     if (old == nullptr) continue;
     old->hide();
     old->deleteLater();
   }
   terms_ = nullptr;
+  layers_ = nullptr;
   data_file_ = nullptr;
   if (info_ != nullptr && info_->argument_kind == ArgumentKind::Terms) {
     terms_ = new TermsEditor(this);
@@ -129,6 +131,14 @@ void BrdfForm::rebuild() {
     };
     connect(terms_, &TermsEditor::changing, this, [take](const auto& terms) { take(terms, false); });
     connect(terms_, &TermsEditor::edited, this, [take](const auto& terms) { take(terms, true); });
+  }
+  if (info_ != nullptr && info_->argument_kind == ArgumentKind::Layers) {
+    layers_ = new LayersEditor(common_keyword(), this);
+    rows_->insertWidget(0, layers_);
+    connect(layers_, &LayersEditor::edited, this, [this](const std::vector<grf::CombineTerm>& terms) {
+      for (grf::BrdfModel& model : models_) model.terms = terms;
+      apply(true);
+    });
   }
   if (info_ != nullptr && info_->argument_kind == ArgumentKind::DataFile) {
     data_file_ = new DataFileRow(this);
@@ -154,7 +164,7 @@ void BrdfForm::refresh() {
   }
   refresh_chooser();
   refresh_rows();
-  std::vector<QWidget*> parts = {chooser_, terms_, data_file_, parameters_};
+  std::vector<QWidget*> parts = {chooser_, terms_, layers_, data_file_, parameters_};
   std::erase(parts, nullptr);
   lead_tab_through(parts);
 }
@@ -196,6 +206,11 @@ void BrdfForm::refresh_rows() {
     const bool is_common = have_one(&grf::BrdfModel::terms);
     terms_->set_names(brdf_names(definitions_));
     terms_->set_terms(is_common ? models_.front().terms : std::vector<grf::CombineTerm>(), !is_common);
+  }
+  if (layers_ != nullptr) {
+    layers_->set_names(brdf_names(definitions_));
+    layers_->set_terms(have_one(&grf::BrdfModel::terms) ? models_.front().terms
+                                                        : std::vector<grf::CombineTerm>());
   }
   if (data_file_ != nullptr) {
     const bool is_common = have_one(&grf::BrdfModel::data_file);

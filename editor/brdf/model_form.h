@@ -14,6 +14,7 @@ namespace editor {
 
 class DataFileRow;
 class ParameterRows;
+class LayersEditor;
 class TermsEditor;
 
 /// A form for BRDFs, generated from the models' parameter tables: a model chooser, and a row for each
@@ -69,6 +70,7 @@ class BrdfForm : public QWidget {
   QVBoxLayout* rows_;  ///< the rows of the parameters come last, after the other fields of the model
   ParameterRows* parameters_;
   TermsEditor* terms_ = nullptr;
+  LayersEditor* layers_ = nullptr;
   DataFileRow* data_file_ = nullptr;
   QLabel* hint_;
   QLabel* message_;

@@ -141,7 +141,9 @@ class Collector {
     flat_surface.brdf = *resolved.brdf;
     if (resolved.brdf->terms.empty()) return flat_surface;
     for (const grf::WeightedBrdf& summand : grf::summands_of(*resolved.brdf, resolved.brdf_scope)) {
-      flat_surface.terms.push_back({summand.weight, *summand.model});
+      FlatTerm term{summand.weight, *summand.model, {}};
+      if (is_layered(term.brdf)) term.definitions = grf::definitions_needed(term.brdf, summand.scope);
+      flat_surface.terms.push_back(std::move(term));
     }
     return flat_surface;
   }

@@ -19,6 +19,7 @@ namespace editor {
 struct FlatTerm {
   float weight = 1;
   grf::BrdfModel brdf;
+  std::vector<grf::Definition> definitions;  ///< of a layered BRDF: those that it needs
 
   bool operator==(const FlatTerm&) const = default;
 };
@@ -27,8 +28,9 @@ struct FlatTerm {
 struct FlatSurface {
   grf::Colour colour = grf::Colour(1);
   std::optional<grf::BrdfModel> brdf;  ///< absent for GRF's default
-  std::vector<FlatTerm> terms;  ///< the flattened terms of a `combine`, through nested sums; else empty
-  std::string texture;          ///< path of the image; empty for none
+  /// The flattened terms of a `combine`, through nested sums, or a layered BRDF; else empty.
+  std::vector<FlatTerm> terms;
+  std::string texture;  ///< path of the image; empty for none
   std::optional<grf::Colour> emission;
 };
 

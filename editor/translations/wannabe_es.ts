@@ -3557,6 +3557,25 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
     </message>
 </context>
 <context>
+    <name>editor::LayersEditor</name>
+    <message>
+        <source>BRDF of the layer %1</source>
+        <translation>BRDF de la capa %1</translation>
+    </message>
+    <message>
+        <source>A BRDF that the scene defines</source>
+        <translation>Una BRDF que define la escena</translation>
+    </message>
+    <message>
+        <source>choose a BRDF</source>
+        <translation>elija una BRDF</translation>
+    </message>
+    <message>
+        <source>Define named BRDFs in the scene first: layers refer to those.</source>
+        <translation>Defina antes BRDF con nombre en la escena: las capas se refieren a ellas.</translation>
+    </message>
+</context>
+<context>
     <name>editor::LibraryList</name>
     <message>
         <source>BRDFs of the library</source>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 #include "renderer/reflectance/shader.h"
 
@@ -34,6 +35,7 @@ struct LightFormula {
   // NOLINTEND(readability-identifier-naming)
 
   const reflectance::Brdf* brdf = nullptr;
+  std::optional<reflectance::Transmission> transmission;  ///< of layers above
   const SceneEnvironment* environment = nullptr;
   real headlight = static_cast<real>(StudioHeadlight);
   int light_count = 0;
@@ -57,7 +59,8 @@ struct LightFormula {
   }
 
   vec3 model(const vec3& u, const vec3& v) const {
-    return vec3(reflectance::evaluate(*brdf, reflectance::Vec3f(u), reflectance::Vec3f(v)));
+    const vec3 value(reflectance::evaluate(*brdf, reflectance::Vec3f(u), reflectance::Vec3f(v)));
+    return transmission ? value * transmission->factor(u, v) : value;
   }
 
   static real exp(real x) { return std::exp(x); }
@@ -130,15 +133,27 @@ class Shading {
       const Imath::V4f& head = tables_.terms[term];
       if (static_cast<std::size_t>(head.y) == light_.model) {
         formula_.brdf = brdf_of(term);
+        formula_.transmission = transmission_of(term);
         sum += static_cast<double>(head.x) * formula_.reflected_light(u, to_world_ * frame, terms.w, start,
                                                                       light_.samples, light_.first_sample);
       }
-      term += 1 + static_cast<std::size_t>(head.z);
+      term += 1 + static_cast<std::size_t>(head.z) + static_cast<std::size_t>(head.w);
     }
     return sum;
   }
 
  private:
+  std::optional<reflectance::Transmission> transmission_of(std::size_t term) const {
+    if (!(tables_.terms[term].w > 0)) return std::nullopt;
+    const std::size_t first = term + 1 + static_cast<std::size_t>(tables_.terms[term].z);
+    reflectance::Transmission::Table table;
+    for (std::size_t row = 0; row < table.size(); ++row) {
+      const Imath::V4f& value = tables_.terms[first + row];
+      table[row] = Rgb(value.x, value.y, value.z);
+    }
+    return reflectance::Transmission(table);
+  }
+
   /// The values of a term's parameters follow it.
   const reflectance::Brdf* brdf_of(std::size_t term) {
     const auto [entry, is_new] = brdfs_.try_emplace(term);

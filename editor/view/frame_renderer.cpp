@@ -323,7 +323,8 @@ QOpenGLShaderProgram* FrameRenderer::brdf_program(const BrdfProgram& key) {
       model, [](std::size_t k) { return "parameter(" + std::to_string(k) + ")"; });
   QByteArray text = GlslVersion + shader_text({"g_buffer.glsl"}) +
                     QByteArray::fromStdString(shader.functions) + shader_text({"brdf_parameters.glsl"}) +
-                    "vec3 model(vec3 u, vec3 v) { return " + QByteArray::fromStdString(shader.call) + "; }\n";
+                    "vec3 model(vec3 u, vec3 v) { return through_layers(u, v) * " +
+                    QByteArray::fromStdString(shader.call) + "; }\n";
   if (has_map) {
     text += "#define HAS_MAP\n" + QByteArray::fromStdString(std::string(reflectance::shader_file("studio"))) +
             shader_text({"object_environment.glsl"});

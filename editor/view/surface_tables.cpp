@@ -6,7 +6,8 @@
 #include <optional>
 #include <variant>
 
-#include "renderer/reflectance/brdf.h"
+#include "grf/write.h"
+#include "renderer/reflectance/brdf_maker.h"
 #include "renderer/reflectance/shader.h"
 
 namespace editor {
@@ -18,10 +19,7 @@ constexpr std::size_t FormulaCount = std::variant_size_v<reflectance::FormulaBrd
 
 Imath::V4f row(const Rgb& rgb, float w) { return {rgb.x, rgb.y, rgb.z, w}; }
 
-struct WeightedBrdf {
-  float weight = 1;
-  reflectance::Brdf brdf;
-};
+using reflectance::CombinedBrdf;
 
 class Builder {
  public:
@@ -40,9 +38,9 @@ class Builder {
     tables_.surfaces.push_back(row(colour, texture_number(flat_surface.texture)));
     tables_.surfaces.push_back(row(emission.value_or(Rgb(0)), emission ? 1.0F : 0.0F));
     const bool is_black = emission && !flat_surface.brdf;
-    const std::vector<WeightedBrdf> brdfs = is_black ? std::vector<WeightedBrdf>() : brdfs_of(flat_surface);
+    const std::vector<CombinedBrdf> brdfs = is_black ? std::vector<CombinedBrdf>() : brdfs_of(flat_surface);
     const std::size_t first = tables_.terms.size();
-    for (const WeightedBrdf& term : brdfs) add_term(term);
+    for (const CombinedBrdf& term : brdfs) add_term(term);
     tables_.surfaces.emplace_back(static_cast<float>(first), static_cast<float>(brdfs.size()),
                                   add_mirror(brdfs), lobe_exponent(brdfs));
   }
@@ -54,11 +52,17 @@ class Builder {
     return static_cast<float>(entry->second);
   }
 
-  std::vector<WeightedBrdf> brdfs_of(const FlatSurface& flat_surface) {
+  std::vector<CombinedBrdf> brdfs_of(const FlatSurface& flat_surface) {
     if (!flat_surface.brdf) return {{1, reflectance::default_brdf()}};
     if (flat_surface.brdf->terms.empty()) return {{1, brdf_of(*flat_surface.brdf)}};
-    std::vector<WeightedBrdf> brdfs;
-    for (const FlatTerm& term : flat_surface.terms) brdfs.push_back({term.weight, brdf_of(term.brdf)});
+    std::vector<CombinedBrdf> brdfs;
+    for (const FlatTerm& term : flat_surface.terms) {
+      if (grf::is_layered(term.brdf)) {
+        add_layers(term, brdfs);
+      } else {
+        brdfs.push_back({term.weight, brdf_of(term.brdf)});
+      }
+    }
     return brdfs;
   }
 
@@ -69,34 +73,69 @@ class Builder {
     return reflectance::default_brdf();
   }
 
-  void add_term(const WeightedBrdf& term) {
+  void add_layers(const FlatTerm& term, std::vector<CombinedBrdf>& brdfs) {
+    for (CombinedBrdf part : parts_of(term)) {
+      part.weight *= term.weight;
+      if (part.brdf.index() >= FormulaCount) {
+        tables_.not_shown.insert(term.brdf.keyword);
+        part.brdf = reflectance::default_brdf();
+      }
+      brdfs.push_back(std::move(part));
+    }
+  }
+
+  /// Makes the parts of a layered BRDF once for all surfaces that have it: its quadrature takes milliseconds.
+  const std::vector<CombinedBrdf>& parts_of(const FlatTerm& term) {
+    std::string text = grf::to_text(term.brdf);
+    for (const grf::Definition& definition : term.definitions) {
+      text += '\n' + definition.name + '=' + grf::to_text(std::get<grf::BrdfModel>(definition.body));
+    }
+    const auto [known, is_new] = layers_.try_emplace(std::move(text));
+    if (!is_new) return known->second;
+    grf::ScopeStack stack;
+    for (const grf::Definition& definition : term.definitions) stack.enter(definition);
+    grf::Diagnostics ignored_diagnostics;
+    const auto brdf = reflectance::BrdfMaker(ignored_diagnostics).make(term.brdf, stack.scope());
+    const auto* sum = brdf ? std::get_if<reflectance::Combine>(&*brdf) : nullptr;
+    if (sum != nullptr && sum->parts) known->second = *sum->parts;
+    return known->second;
+  }
+
+  void add_term(const CombinedBrdf& term) {
     tables_.models.insert(term.brdf.index());
     const std::vector<Rgb> values = reflectance::shader_values(term.brdf);
     tables_.terms.emplace_back(term.weight, static_cast<float>(term.brdf.index()),
-                               static_cast<float>(values.size()), 0);
+                               static_cast<float>(values.size()),
+                               term.transmission ? static_cast<float>(reflectance::Transmission::Rows) : 0);
     for (const Rgb& value : values) tables_.terms.push_back(row(value, 0));
+    if (!term.transmission) return;
+    for (const Rgb& value : term.transmission->table()) tables_.terms.push_back(row(value, 0));
   }
 
   /// Returns the row of the first value, or -1.
-  float add_mirror(const std::vector<WeightedBrdf>& brdfs) {
+  float add_mirror(const std::vector<CombinedBrdf>& brdfs) {
     const bool has_one = std::ranges::any_of(
-        brdfs, [](const WeightedBrdf& term) { return reflectance::has_specular_part(term.brdf); });
+        brdfs, [](const CombinedBrdf& term) { return reflectance::has_specular_part(term.brdf); });
     if (!has_one) return -1;
     const std::size_t first = tables_.terms.size();
     for (int i = 0; i < SurfaceTables::SpecularValues; ++i) {
       const float cosine = std::max(1e-3F, static_cast<float>(i) / (SurfaceTables::SpecularValues - 1));
       const grf::Vec3f u(std::sqrt(1 - cosine * cosine), 0, cosine);
       Rgb sum(0);
-      for (const WeightedBrdf& term : brdfs) sum += term.weight * reflectance::specular_weight(term.brdf, u);
+      for (const CombinedBrdf& term : brdfs) {
+        Rgb weight = term.weight * reflectance::specular_weight(term.brdf, u);
+        if (term.transmission) weight *= term.transmission->factor(u, u);
+        sum += weight;
+      }
       tables_.terms.push_back(row(sum, 0));
     }
     return static_cast<float>(first);
   }
 
   /// The exponent of the widest lobe; 1 if there is none.
-  static float lobe_exponent(const std::vector<WeightedBrdf>& brdfs) {
+  static float lobe_exponent(const std::vector<CombinedBrdf>& brdfs) {
     std::optional<float> widest;
-    for (const WeightedBrdf& term : brdfs) {
+    for (const CombinedBrdf& term : brdfs) {
       const auto exponents = reflectance::lobe_exponents(term.brdf);
       if (!exponents) continue;
       const float exponent = std::min(exponents->x, exponents->y);
@@ -107,6 +146,7 @@ class Builder {
 
   SurfaceTables tables_;
   std::map<std::string, std::size_t> texture_numbers_;
+  std::map<std::string, std::vector<CombinedBrdf>> layers_;  ///< by text
 };
 
 /// An exposure that maps a value which few vertices exceed to white.

@@ -27,7 +27,8 @@ struct SurfaceTables {
 
   /// Three rows per surface: see shaders/g_buffer.glsl.
   std::vector<Imath::V4f> surfaces;
-  /// The terms of BRDFs: weight, number of the model and number of parameters, followed by the parameters.
+  /// The terms of BRDFs: weight, number of the model, number of parameters and number of rows of what layers
+  /// above transmit (0 without layers), followed by the parameters and by these rows.
   /// Values of specular parts are between.
   std::vector<Imath::V4f> terms;
   std::vector<std::size_t> ends;      ///< per mesh, the rows that surfaces up to its last one need

@@ -23,9 +23,10 @@ void main() {
     vec4 head = texelFetch(terms, term);
     if (int(head.y) == model_number) {
       first_parameter = term + 1;
+      first_transmission = int(head.w) > 0 ? term + 1 + int(head.z) : 0;
       sum += head.x * reflected_light(u, camera_to_world * frame, brdf.w, start, sky_samples, pass * sky_samples);
     }
-    term += 1 + int(head.z);
+    term += 1 + int(head.z) + int(head.w);
   }
   vec3 paint = surface_row(face, 0).rgb * texelFetch(values, place, 0).rgb;
   colour = vec4(sum * paint, 1);

@@ -249,6 +249,36 @@ TEST(BrdfForm, MakesSumsOfWhatIsDefined) {
   EXPECT_TRUE(form.errors()[0].contains("clay"));
 }
 
+TEST(BrdfForm, MakesLayersOfWhatIsDefined) {
+  BrdfForm form;
+  show(form);
+  form.set_definitions({{"clay", brdf_model("oren"), {}, {}}, {"varnish", brdf_model("ward"), {}, {}}});
+  grf::BrdfModel layer;
+  layer.keyword = "layer";
+  form.set_models({layer});
+  ASSERT_EQ(form.errors().size(), 1U);
+  EXPECT_TRUE(form.errors()[0].contains("base=NAME top=NAME"));
+  Reports reports(form);
+  const auto list_of = [&form](const QString& name) -> QComboBox* {
+    for (QComboBox* list : form.findChildren<QComboBox*>()) {
+      if (list->accessibleName() == "BRDF of the layer " + name) return list;
+    }
+    return nullptr;
+  };
+  QComboBox* base = list_of("base");
+  QComboBox* top = list_of("top");
+  ASSERT_TRUE(base != nullptr && top != nullptr);
+  QTest::keyClick(base, Qt::Key_Down);
+  EXPECT_TRUE(reports.edited.empty());
+  QTest::keyClick(top, Qt::Key_Down);
+  QTest::keyClick(top, Qt::Key_Down);
+  ASSERT_EQ(reports.edited.size(), 2U);
+  EXPECT_EQ(grf::to_text(form.models()[0]), "layer base=clay top=varnish");
+  form.set_models({brdf_model("phong")});
+  EXPECT_FALSE(base->isVisibleTo(&form));
+  form.set_definitions({});
+}
+
 TEST(ParameterRows, HaveARowForEachParameterOfEachScheme) {
   ParameterRows rows;
   rows.show();

@@ -80,9 +80,13 @@ TEST_P(RefusedShader, IsDoneByCpp) {
 
 INSTANTIATE_TEST_SUITE_P(
     Brdfs, RefusedShader,
-    testing::Values(test::cube_text("brdf ward sx=0.2 sy=0.1 ks=0.6 kd=(0.3,0.1,0.2)"),
-                    "def wide = brdf ward sx=0.3 ks=0.5 kd=0\ndef narrow = brdf phong n=20\nbegin\n" +
-                        test::cube_text("brdf combine 0.5 wide, 0.8 narrow") + "end\n"));
+    testing::Values(
+        test::cube_text("brdf ward sx=0.2 sy=0.1 ks=0.6 kd=(0.3,0.1,0.2)"),
+        "def wide = brdf ward sx=0.3 ks=0.5 kd=0\ndef narrow = brdf phong n=20\nbegin\n" +
+            test::cube_text("brdf combine 0.5 wide, 0.8 narrow") + "end\n",
+        "def wide = brdf ward sx=0.3 ks=0.9 kd=0.4\ndef coated = brdf coat base=wide alpha=0.3 ior=2\n"
+        "begin\n" +
+            test::cube_text("brdf coated") + "end\n"));
 
 TEST(RefusedShaders, OfOtherModelsAreNotMissed) {
   ShownView shown(test::objects_of_text(test::cube_text("brdf phong n=20")), seen_from_above(),
