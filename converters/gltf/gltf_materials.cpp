@@ -207,10 +207,10 @@ class Reading {
   std::vector<std::string> lost_extensions() const {
     std::vector<std::string> lost;
     for (const auto& [name, extension] : source_.extensions) {
-      const bool is_read = std::any_of(ReadExtensions.begin(), ReadExtensions.end(), [&](const auto& read) {
+      const auto is_called = [&name = name](const auto& read) {
         return name == fmt::format("KHR_materials_{}", read);
-      });
-      if (!is_read) lost.push_back(name);
+      };
+      if (std::none_of(ReadExtensions.begin(), ReadExtensions.end(), is_called)) lost.push_back(name);
     }
     return lost;
   }
