@@ -158,8 +158,7 @@ class Check {
   void check_model(const BrdfModel& brdf, const Kind<BrdfModel>& kind, const Scope& scope) {
     if (is_combine(brdf)) return check_combine(brdf, scope);
     const std::size_t errors_before = diagnostics_.error_count();
-    if (!layer_names(brdf.keyword).empty()) check_layers(brdf, scope);
-    if (brdf.terms.size() != layer_names(brdf.keyword).size()) return;
+    if (!layer_names(brdf.keyword).empty() && !has_layers(brdf, scope)) return;
     check_known_model(brdf, kind, scope);
     if (const ModelInfo* info = find_model(kind.models, brdf.keyword)) check_data_file(brdf, *info);
     if (diagnostics_.error_count() == errors_before) warn_of_gain(brdf);
@@ -213,17 +212,21 @@ class Check {
     for (const Argument& argument : brdf.arguments) report_unknown_parameter(argument, info, diagnostics_);
   }
 
-  // Each layer multiplies the cost of those below it, and tables of a layer are computed from them.
-  void check_layers(const BrdfModel& brdf, const Scope& scope) {
+  /// Checks the layers of a layered model; returns false if their names are not all given. Each layer
+  /// multiplies the cost of those below it, and its table is computed from them, so their number is limited.
+  bool has_layers(const BrdfModel& brdf, const Scope& scope) {
     const auto names = layer_names(brdf.keyword);
     if (brdf.terms.size() != names.size()) {
-      return diagnostics_.error(brdf.location, fmt::format("'{}' needs the names of defined BRDFs: {}=NAME",
-                                                           brdf.keyword, fmt::join(names, "=NAME ")));
+      diagnostics_.error(brdf.location, fmt::format("'{}' needs the names of defined BRDFs: {}=NAME",
+                                                    brdf.keyword, fmt::join(names, "=NAME ")));
+      return false;
     }
     for (const CombineTerm& term : brdf.terms) check_reference<BrdfModel>(term.brdf, "BRDF", scope);
-    if (1 + deepest_layers(brdf, scope) <= MostLayers) return;
-    diagnostics_.error(brdf.location,
-                       fmt::format("'{}': over {} layers above each other", brdf.keyword, MostLayers));
+    if (1 + deepest_layers(brdf, scope) > MostLayers) {
+      diagnostics_.error(brdf.location,
+                         fmt::format("'{}': over {} layers above each other", brdf.keyword, MostLayers));
+    }
+    return true;
   }
 
   /// The number of layers above each other in the BRDFs that another one names.

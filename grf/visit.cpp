@@ -79,6 +79,8 @@ class Walk {
   std::string file_;
 };
 
+bool is_sum(const BrdfModel& brdf) { return !brdf.terms.empty() && !is_layered(brdf); }
+
 /// Lists the BRDFs that a `combine` names, directly or through others, with the terms of each as indices into
 /// the list. Within one sum a definition has one scope, and so one meaning.
 class SumOfSums {
@@ -88,16 +90,16 @@ class SumOfSums {
     while (!open_.empty()) {
       Open& top = open_.back();
       const Entry& entry = entries_[top.entry];
-      if (top.next_term == entry.model->terms.size() || is_layered(*entry.model)) {
+      if (!is_sum(*entry.model) || top.next_term == entry.model->terms.size()) {
         inner_first_.push_back(top.entry);
         open_.pop_back();
         continue;
       }
       const CombineTerm& term = entry.model->terms[top.next_term++];
-      const std::size_t sum = top.entry;  // `add` moves what `top` refers to
-      const auto* named = top.scope.find<BrdfModel>(term.brdf.name);
+      const std::size_t sum = top.entry;  // `add` moves what `top` and `entry` refer to
+      const auto* named = entry.scope.find<BrdfModel>(term.brdf.name);
       if (named == nullptr) continue;
-      const std::size_t place = add(*named, top.scope.around(term.brdf.name));
+      const std::size_t place = add(*named, entry.scope.around(term.brdf.name));
       entries_[sum].terms.push_back({place, term.weight});
     }
   }
@@ -111,7 +113,7 @@ class SumOfSums {
     }
     std::vector<WeightedBrdf> result;
     for (const Entry& entry : entries_) {
-      if (!entry.model->terms.empty() && !is_layered(*entry.model)) continue;
+      if (is_sum(*entry.model)) continue;
       result.push_back({entry.model, static_cast<float>(entry.weight), entry.scope});
     }
     return result;
@@ -131,7 +133,6 @@ class SumOfSums {
   /// A sum whose terms are being looked up.
   struct Open {
     std::size_t entry;
-    Scope scope;
     std::size_t next_term = 0;
   };
 
@@ -139,7 +140,7 @@ class SumOfSums {
     const auto [known, is_new] = places_.emplace(&model, entries_.size());
     if (is_new) {
       entries_.push_back({&model, scope, {}});
-      open_.push_back({known->second, scope});
+      open_.push_back({known->second});
     }
     return known->second;
   }
@@ -224,7 +225,7 @@ ResolvedSurface resolve(const Surface& surface, const Scope& scope) {
 }
 
 std::vector<WeightedBrdf> summands_of(const BrdfModel& brdf, const Scope& scope) {
-  if (brdf.terms.empty() || is_layered(brdf)) return {{&brdf, 1, scope}};
+  if (!is_sum(brdf)) return {{&brdf, 1, scope}};
   return SumOfSums(brdf, scope).weighted();
 }
 
@@ -235,21 +236,20 @@ WeightedBrdf named_term(const BrdfModel& brdf, std::size_t term, const Scope& sc
 
 // A scope is the first so many definitions of a stack, so that a later definition never names an earlier
 // one's namesake: going back from the last, each name is found in the order of the stack.
-std::vector<Definition> definitions_needed(const BrdfModel& brdf, const Scope& scope) {
+std::vector<Definition> definitions_needed(const std::vector<std::string>& names, const Scope& scope) {
   std::vector<const Definition*> needed;
   std::set<std::pair<std::size_t, const Definition*>> open;
-  const auto add = [&open](const BrdfModel& model, const Scope& names) {
-    for (const CombineTerm& term : model.terms) {
-      const Scope around = names.around(term.brdf.name);
-      if (const Definition* found = names.find(term.brdf.name)) open.emplace(around.depth(), found);
-    }
+  const auto add = [&open](const std::string& name, const Scope& at) {
+    if (const Definition* found = at.find(name)) open.emplace(at.around(name).depth(), found);
   };
-  add(brdf, scope);
+  for (const std::string& name : names) add(name, scope);
   while (!open.empty()) {
     const auto [depth, definition] = *open.rbegin();
     open.erase(std::prev(open.end()));
     needed.push_back(definition);
-    if (const auto* body = std::get_if<BrdfModel>(&definition->body)) add(*body, scope.outermost(depth));
+    const auto* brdf = std::get_if<BrdfModel>(&definition->body);
+    if (brdf == nullptr) continue;
+    for (const CombineTerm& term : brdf->terms) add(term.brdf.name, scope.outermost(depth));
   }
   std::vector<Definition> copies;
   for (auto one = needed.rbegin(); one != needed.rend(); ++one) copies.push_back(**one);

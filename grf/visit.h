@@ -154,8 +154,9 @@ std::vector<WeightedBrdf> summands_of(const BrdfModel& brdf, const Scope& scope)
 /// up; the model is null if the name is undefined.
 WeightedBrdf named_term(const BrdfModel& brdf, std::size_t term, const Scope& scope);
 
-/// Returns copies of the definitions that a BRDF needs, directly or through others, in an order in which each
-/// precedes those that name it. Undefined names are skipped.
-std::vector<Definition> definitions_needed(const BrdfModel& brdf, const Scope& scope);
+/// Returns copies of the definitions that these names refer to, and of those that their BRDFs name, directly
+/// or through others, in the order of the scope: each precedes those that name it. Undefined names are
+/// skipped.
+std::vector<Definition> definitions_needed(const std::vector<std::string>& names, const Scope& scope);
 
 }  // namespace grf

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <utility>
 #include <variant>
 
@@ -22,17 +21,12 @@ constexpr const char* MaterialName = "material";
 /// The definitions that a surface refers to, directly or through terms of others, in the order of the scene.
 std::vector<grf::Definition> needed_definitions(const std::vector<PlacedDefinition>& in_scope,
                                                 const grf::Surface& surface) {
-  std::set<std::string> names;
-  const auto add = [&names](const grf::Reference& reference) { names.insert(reference.name); };
-  for_each_reference_of_surface(surface, add);
-  std::vector<grf::Definition> needed;
-  for (auto placed = in_scope.rbegin(); placed != in_scope.rend(); ++placed) {
-    if (names.erase(placed->definition->name) == 0) continue;
-    needed.push_back(*placed->definition);
-    if (const auto* brdf = std::get_if<grf::BrdfModel>(&needed.back().body)) for_each_term(*brdf, add);
-  }
-  std::ranges::reverse(needed);
-  return needed;
+  std::vector<std::string> names;
+  for_each_reference_of_surface(
+      surface, [&names](const grf::Reference& reference) { names.push_back(reference.name); });
+  grf::ScopeStack stack;
+  for (const PlacedDefinition& placed : in_scope) stack.enter(*placed.definition);
+  return grf::definitions_needed(names, stack.scope());
 }
 
 grf::Shared<grf::Mesh> square_with(const grf::Surface& surface) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "editor/document/references.h"
 #include "grf/text_file.h"
 #include "grf/vertex_tree.h"
 #include "grf/visit.h"
@@ -142,7 +143,11 @@ class Collector {
     if (resolved.brdf->terms.empty()) return flat_surface;
     for (const grf::WeightedBrdf& summand : grf::summands_of(*resolved.brdf, resolved.brdf_scope)) {
       FlatTerm term{summand.weight, *summand.model, {}};
-      if (is_layered(term.brdf)) term.definitions = grf::definitions_needed(term.brdf, summand.scope);
+      if (is_layered(term.brdf)) {
+        std::vector<std::string> names;
+        for_each_term(term.brdf, [&names](const grf::Reference& layer) { names.push_back(layer.name); });
+        term.definitions = grf::definitions_needed(names, summand.scope);
+      }
       flat_surface.terms.push_back(std::move(term));
     }
     return flat_surface;
