@@ -18,6 +18,10 @@ float CombinedBrdf::albedo_estimate(const Vec3f& u) const {
   return transmission ? own * transmission->estimate(u) : own;
 }
 
+Rgb CombinedBrdf::specular_weight(const Vec3f& u) const {
+  return contribution(reflectance::specular_weight(brdf, u), u, u);
+}
+
 std::optional<Brdf> make_brdf(const grf::Model& data) {
   if (grf::same_keyword(data.keyword, Coat::table().keyword)) return make<Coat>(data).facets();
   if (grf::same_keyword(data.keyword, Layer::table().keyword)) return Combine();

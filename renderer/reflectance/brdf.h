@@ -75,6 +75,15 @@ struct CombinedBrdf {
   std::shared_ptr<const Transmission> transmission = nullptr;  ///< of the layers above; null: there are none
 
   float albedo_estimate(const Vec3f& u) const;
+
+  /// Scales a value of the BRDF for these directions by its weight and by what the layers above transmit.
+  template <class Real>
+  Vec3<Real> contribution(const Vec3<Real>& value, const Vec3<Real>& u, const Vec3<Real>& v) const {
+    const Vec3<Real> weighted = value * Real(weight);
+    return transmission ? weighted * transmission->factor(u, v) : weighted;
+  }
+  /// Returns the weight of the delta part in the sum. Its directions are at the same angle from the normal.
+  Rgb specular_weight(const Vec3f& u) const;
 };
 struct CombinedBrdfs : std::vector<CombinedBrdf> {};
 

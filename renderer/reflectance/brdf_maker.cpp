@@ -66,16 +66,9 @@ std::optional<Brdf> BrdfMaker::make_term(const grf::BrdfModel& data, std::size_t
   return std::nullopt;
 }
 
+// Each BRDF is visited once, so that names that are used again and again do not multiply the work.
 std::vector<const grf::BrdfModel*> BrdfMaker::models_of(const grf::BrdfModel& data, const grf::Scope& scope) {
   std::vector<const grf::BrdfModel*> models;
-  for (const grf::WeightedBrdf& summand : all_of(data, scope)) models.push_back(summand.model);
-  return models;
-}
-
-// The number of layers is bounded, and each BRDF is visited once, so that names that are used again and again
-// do not multiply the work.
-std::vector<grf::WeightedBrdf> BrdfMaker::all_of(const grf::BrdfModel& data, const grf::Scope& scope) {
-  std::vector<grf::WeightedBrdf> all;
   std::vector<grf::WeightedBrdf> open = {{&data, 1, scope}};
   std::unordered_set<const grf::BrdfModel*> visited;
   while (!open.empty()) {
@@ -83,7 +76,7 @@ std::vector<grf::WeightedBrdf> BrdfMaker::all_of(const grf::BrdfModel& data, con
     open.pop_back();
     for (const grf::WeightedBrdf& summand : summands_of(*next.model, next.scope)) {
       if (!(summand.weight > 0) || !visited.insert(summand.model).second) continue;
-      all.push_back(summand);
+      models.push_back(summand.model);
       if (!is_layered(*summand.model)) continue;
       for (std::size_t i = summand.model->terms.size(); i > 0; --i) {
         const grf::WeightedBrdf named = named_term(*summand.model, i - 1, summand.scope);
@@ -91,7 +84,7 @@ std::vector<grf::WeightedBrdf> BrdfMaker::all_of(const grf::BrdfModel& data, con
       }
     }
   }
-  return all;
+  return models;
 }
 
 std::vector<std::string> BrdfMaker::data_files_of(const grf::BrdfModel& data, const grf::Scope& scope) {

@@ -36,12 +36,11 @@ class BrdfMaker {
   std::optional<Brdf> make_summand(const grf::BrdfModel& data);
   std::optional<Brdf> make_layered(const grf::BrdfModel& data, const grf::Scope& scope);
   std::optional<Brdf> make_term(const grf::BrdfModel& data, std::size_t term, const grf::Scope& scope);
-  static std::vector<grf::WeightedBrdf> all_of(const grf::BrdfModel& data, const grf::Scope& scope);
   template <class Model>
   std::shared_ptr<const typename Model::Data> data_of(const grf::BrdfModel& data);
 
   grf::Diagnostics& diagnostics_;
-  // What files were loaded as, by the model's keyword and the canonical path.
+  /// The cache maps the model's keyword and the file's canonical path to the data that were loaded.
   std::map<std::pair<std::string_view, std::string>, std::shared_ptr<const void>> loaded_;
   std::size_t layers_ = 0;  ///< above the BRDF that is being made
 };

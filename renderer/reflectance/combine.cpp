@@ -39,9 +39,7 @@ Reflection reflection_of(const CombinedBrdfs& parts, const Albedos& albedos, con
     total += albedos[i];
     std::visit(
         [&](const auto& model) {
-          Rgb value = model.evaluate(u, v) * parts[i].weight;
-          if (parts[i].transmission) value *= parts[i].transmission->factor(u, v);
-          sum.value += value;
+          sum.value += parts[i].contribution(model.evaluate(u, v), u, v);
           if (albedos[i] > 0) sum.pdf += albedos[i] * model.pdf(u, v);
         },
         parts[i].brdf);
@@ -57,10 +55,8 @@ Vec3<Real> Combine::evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
   Vec3<Real> sum(0);
   if (!parts) return sum;
   for (const CombinedBrdf& part : *parts) {
-    Vec3<Real> value =
-        std::visit([&](const auto& model) { return model.evaluate(u, v); }, part.brdf) * Real(part.weight);
-    if (part.transmission) value *= part.transmission->factor(u, v);
-    sum += value;
+    const Vec3<Real> value = std::visit([&](const auto& model) { return model.evaluate(u, v); }, part.brdf);
+    sum += part.contribution(value, u, v);
   }
   return sum;
 }
@@ -71,11 +67,7 @@ template Vec3<double> Combine::evaluate(const Vec3<double>& u, const Vec3<double
 Rgb Combine::specular_weight(const Vec3f& u) const {
   Rgb sum(0);
   if (!parts) return sum;
-  for (const CombinedBrdf& part : *parts) {
-    Rgb weight = reflectance::specular_weight(part.brdf, u) * part.weight;
-    if (part.transmission) weight *= part.transmission->factor(u, u);
-    sum += weight;
-  }
+  for (const CombinedBrdf& part : *parts) sum += part.specular_weight(u);
   return sum;
 }
 

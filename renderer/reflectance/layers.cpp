@@ -1,12 +1,13 @@
 #include "renderer/reflectance/layers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/halton.h"
 
 namespace reflectance {
@@ -16,7 +17,7 @@ using Table = Transmission::Table;
 
 /// Directions at each cosine of the quadrature: the rows of the table, and one between two of them.
 constexpr std::size_t Places = 2 * Transmission::Rows - 1;
-constexpr std::uint32_t Samples = 512;
+constexpr int Samples = 512;
 constexpr int Azimuths = 8;  ///< of which, for BRDFs that are not isotropic
 constexpr int Iterations = 40;
 constexpr float LeastCosine = 1e-4F;
@@ -28,63 +29,58 @@ float cosine_at(std::size_t place) {
 
 Rgb least(const Rgb& a, const Rgb& b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 
-/// Light that a BRDF reflects from one direction, as samples.
-struct ReflectedLight {
-  struct Sample {
-    Rgb weight;
-    float cosine = 0;
-  };
-  std::vector<Sample> samples;
+/// Light that a BRDF reflects from some directions at one cosine, as samples.
+class ReflectedLight {
+ public:
+  /// Adds so many samples of the light from a direction, which counts for a part of the whole.
+  void add(const Brdf& brdf, const Vec3f& u, int count, float part) {
+    for (int i = 0; i < count; ++i) {
+      const auto drawn = own_sample(brdf, u, halton_point(static_cast<std::uint32_t>(i)));
+      if (!drawn) continue;
+      samples_.push_back({drawn->weight * (part / static_cast<float>(count)), drawn->direction.z});
+    }
+    const Rgb mirror = specular_weight(brdf, u);
+    if (!is_black(mirror)) samples_.push_back({mirror * part, u.z});
+  }
 
   Rgb albedo() const {
     Rgb sum(0);
-    for (const Sample& sample : samples) sum += sample.weight;
+    for (const Sample& sample : samples_) sum += sample.weight;
     return sum;
   }
-  /// The albedo when each direction counts by a table.
+  /// Returns the albedo when each direction counts by a table.
   Rgb albedo(const Table& table) const {
     Rgb sum(0);
-    for (const Sample& sample : samples) {
+    for (const Sample& sample : samples_) {
       sum += sample.weight * Transmission::interpolate(table, sample.cosine);
     }
     return sum;
   }
+
+ private:
+  struct Sample {
+    Rgb weight;
+    float cosine = 0;
+  };
+  std::vector<Sample> samples_;
 };
-
-ReflectedLight reflected_light(const Brdf& brdf, const Vec3f& u, std::uint32_t count) {
-  ReflectedLight light;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const auto drawn = own_sample(brdf, u, halton_point(i));
-    if (drawn) light.samples.push_back({drawn->weight / static_cast<float>(count), drawn->direction.z});
-  }
-  const Rgb mirror = specular_weight(brdf, u);
-  if (!is_black(mirror)) light.samples.push_back({mirror, u.z});
-  return light;
-}
-
-/// Calls a function with the directions at a cosine: several azimuths, unless the BRDFs are isotropic.
-void each_azimuth(float cosine, int azimuths, const std::function<void(const Vec3f&)>& visit) {
-  const float sine = std::sqrt((1 - cosine) * (1 + cosine));
-  for (int i = 0; i < azimuths; ++i) {
-    const float azimuth = 2 * Pi * (static_cast<float>(i) + 0.25F) / static_cast<float>(azimuths);
-    visit(from_angles(cosine, sine, azimuth));
-  }
-}
 
 /// Computes the symmetric scaling of a base below a top.
 class Scaling {
  public:
   Scaling(const Brdf& base, const Brdf& top) {
     const int azimuths = is_anisotropic(base) || is_anisotropic(top) ? Azimuths : 1;
-    const auto count = Samples / static_cast<std::uint32_t>(azimuths);
+    const Reflector above(top, OwnScheme());
     for (std::size_t place = 0; place < Places; ++place) {
+      const float cosine = cosine_at(place);
+      const float sine = std::sqrt((1 - cosine) * (1 + cosine));
       Rgb transmitted(1);
-      each_azimuth(cosine_at(place), azimuths, [&](const Vec3f& u) {
-        transmitted = least(transmitted, Rgb(1) - reflected_light(top, u, count).albedo());
-        auto below = reflected_light(base, u, count).samples;
-        for (auto& sample : below) sample.weight /= static_cast<float>(azimuths);
-        below_[place].samples.insert(below_[place].samples.end(), below.begin(), below.end());
-      });
+      for (int i = 0; i < azimuths; ++i) {
+        const float azimuth = 2 * Pi * (static_cast<float>(i) + 0.25F) / static_cast<float>(azimuths);
+        const Vec3f u = from_angles(cosine, sine, azimuth);
+        transmitted = least(transmitted, Rgb(1) - albedo(above, u, Samples / azimuths));
+        below_[place].add(base, u, Samples / azimuths, 1 / static_cast<float>(azimuths));
+      }
       for (int i = 0; i < 3; ++i) transmitted[i] = std::max(0.0F, transmitted[i]);
       wanted_[place] = transmitted * below_[place].albedo();
       if (place % 2 == 0) {
@@ -161,24 +157,6 @@ Combine layered(const Brdf& base, const Brdf& top, const Table& table) {
 
 }  // namespace
 
-Transmission::Transmission(const Table& table) : table_(table) {
-  // The integral of t(c) 2 c dc over each interval, by Simpson's rule, which is exact for linear t.
-  for (std::size_t row = 0; row + 1 < Rows; ++row) {
-    const float low = cosine(row);
-    const float high = cosine(row + 1);
-    const float at_low = mean(table_[row]);
-    const float at_high = mean(table_[row + 1]);
-    const float middle = (low + high) / 2 * (at_low + at_high) / 2;
-    mean_ += (high - low) / 3 * (low * at_low + 4 * middle + high * at_high);
-  }
-}
-
-Transmission Transmission::through(const Transmission& other) const {
-  Table table;
-  for (std::size_t row = 0; row < Rows; ++row) table[row] = table_[row] * other.table_[row];
-  return Transmission(table);
-}
-
 ModelTable<Coat> Coat::table() {
   constexpr auto Logarithmic = grf::ParameterScale::Logarithmic;
   return {
@@ -198,10 +176,9 @@ ModelTable<Coat> Coat::table() {
       .description =
           "A dielectric layer, such as varnish, over another BRDF of the scene, which `base` names: `coat "
           "base=wood ior=1.5 alpha=0.05`. The coat's surface is that of ggx. The base gets from each "
-          "direction "
-          "what the coat does not reflect, so that a white base remains white, and less in the colours that "
-          "`tint` lacks: at grazing the way through the coat is longer. The base's highlight does not get "
-          "wider by the coat's roughness.",
+          "direction what the coat does not reflect, so that a white base remains white, and less in the "
+          "colours that `tint` lacks: at grazing the way through the coat is longer. The base's highlight "
+          "does not get wider by the coat's roughness.",
       .formula = R"(
 f = ggx(ior, alpha) + t(u) t(v) base
 t: such that the albedo of the second part is (1 - E(u)) times that of the base; E: the albedo of ggx
@@ -235,8 +212,7 @@ ModelTable<Layer> Layer::table() {
       .argument_kind = grf::ModelInfo::ArgumentKind::Layers,
       .description =
           "One BRDF of the scene over another: `layer base=cloth top=dust`. The base gets from each "
-          "direction "
-          "what the top does not reflect.",
+          "direction what the top does not reflect.",
       .formula = R"(
 f = top + t(u) t(v) base
 t: such that the albedo of the second part is (1 - E(u)) times that of the base; E: the albedo of top)",

@@ -20,8 +20,8 @@ struct TransmissionFormula {
 
 namespace reflectance {
 
-/// What a layer transmits to the BRDF below it, as a factor t(u) t(v) that treats both directions alike, in a
-/// table over the cosine of the direction. Between the rows it is linear in the cosine.
+/// A Transmission tabulates what a layer transmits to the BRDF below it: a factor t(u) t(v) that treats both
+/// directions alike, where t depends on the cosine of the direction, and is linear between the rows.
 class Transmission {
  public:
   static constexpr std::size_t Rows = 17;
