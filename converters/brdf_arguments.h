@@ -33,7 +33,7 @@ class BrdfArguments {
   }
   /// Fresnel's reflectance at normal incidence; an index of 0 is a perfect conductor.
   double fresnel(double default_real) const {
-    const double n = number({"nreal"}, default_real);
+    const double n = number({"nreal", "ior"}, default_real);
     const double k = number({"nimag"}, 0);
     if (n == 0) return 1;
     return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);

@@ -262,9 +262,7 @@ constexpr std::array<BrdfRule, 28> BrdfRules = {{
     {"thinfilm", "", "ks F, F at 610, 550 and 465 nm", "2/(ax ay) - 2", thinfilm},
     {"coat", "", "((ior - 1)/(ior + 1))^2", "2/alpha^2 - 2",
      [](const Arguments& a) {
-       const double root = (a.number({"ior", "nreal"}, 1.5) - 1) / (a.number({"ior", "nreal"}, 1.5) + 1);
-       const double alpha = a.number({"alpha"}, 0.1);
-       return BrdfLobes{Vec3d(0), Vec3d(root * root), 2 / (alpha * alpha) - 2};
+       return BrdfLobes{Vec3d(0), Vec3d(a.fresnel(1.5)), exponent_of(a.number({"alpha"}, 0.1))};
      }},
     {"sheen", "ks R, R the mean albedo of the fibres", "", "", sheen},
 }};

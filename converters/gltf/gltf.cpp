@@ -32,8 +32,7 @@ Format common() {
   format.keeps =
       "all of a scene that came from GRF (in extras); else polygons as triangles, shared vertices, normals, "
       "texture coordinates, vertex colours, textures, names, transforms, instances, materials with clear "
-      "coats, "
-      "sheen and anisotropy, emission";
+      "coats, sheen and anisotropy, emission";
   format.loses =
       "maps other than of the base colour, transparency, points, lines, cameras, point lights, animations; "
       "for other programs: BRDFs that are not metallic-roughness, sampling schemes, irradiance";

@@ -22,15 +22,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Reads a triangle with a material.
-Reading read_material(const json& material) {
-  GltfMaker maker = GltfMaker::triangle();
-  maker.primitive()["material"] = 0;
-  maker.json["materials"] = json::array({material});
-  maker.json["textures"] = {{{"source", 0}}};
-  maker.json["images"] = {{{"uri", "wood.png"}}};
-  return maker.read();
-}
+Reading read_material(const json& material) { return GltfMaker::with_material(material).read(); }
 
 /// Makes a dielectric of half roughness with extensions: all its other values are defaults of the BRDF.
 json dielectric(const json& extensions) {

@@ -107,6 +107,17 @@ class GltfMaker {
     maker.add_mesh({{"attributes", {{"POSITION", positions}}}}, std::move(node));
     return maker;
   }
+  /// Makes a file of one triangle with a material, and two textures of an image, of which the second one is
+  /// clamped.
+  static GltfMaker with_material(const nlohmann::json& material) {
+    GltfMaker maker = triangle();
+    maker.primitive()["material"] = 0;
+    maker.json["materials"] = nlohmann::json::array({material});
+    maker.json["textures"] = {{{"source", 0}}, {{"source", 0}, {"sampler", 0}}};
+    maker.json["samplers"] = {{{"wrapS", 33071}}};
+    maker.json["images"] = {{{"uri", "wood%20a.png"}}};
+    return maker;
+  }
   nlohmann::json& primitive() { return json["meshes"][0]["primitives"][0]; }
   nlohmann::json& attributes() { return primitive()["attributes"]; }
 

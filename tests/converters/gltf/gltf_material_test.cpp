@@ -14,19 +14,8 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// A triangle with a material.
-GltfMaker with_material(const json& material) {
-  GltfMaker maker = GltfMaker::triangle();
-  maker.primitive()["material"] = 0;
-  maker.json["materials"] = json::array({material});
-  maker.json["textures"] = {{{"source", 0}}, {{"source", 0}, {"sampler", 0}}};
-  maker.json["samplers"] = {{{"wrapS", 33071}}};
-  maker.json["images"] = {{{"uri", "wood%20a.png"}}};
-  return maker;
-}
-
 std::string brdf_of(const json& material) {
-  const Reading reading = with_material(material).read();
+  const Reading reading = GltfMaker::with_material(material).read();
   EXPECT_TRUE(reading.scene.has_value()) << reading.text();
   return reading.scene ? brdf_text(definitions_of(*reading.scene).at(0)) : "";
 }
@@ -67,7 +56,7 @@ TEST(GltfMaterial, ExtensionsThatSayItsReflectanceAreRead) {
 TEST(GltfMaterial, KeepsItsNameAndItsValuesInAComment) {
   json material = pbr({0.5, 0.5, 0.5, 1}, 0, 1);
   material["name"] = "red clay";
-  const Reading reading = with_material(material).read();
+  const Reading reading = GltfMaker::with_material(material).read();
   ASSERT_TRUE(reading.scene);
   const grf::Definition definition = definitions_of(*reading.scene).at(0);
   EXPECT_EQ(grf::from_identifier(definition.name), "red clay");
@@ -79,7 +68,7 @@ TEST(GltfMaterial, KeepsItsNameAndItsValuesInAComment) {
 
 TEST(GltfMaterial, CommentsHaveAllValuesThatAreRead) {
   const auto values = [](const json& material) {
-    const Reading reading = with_material(material).read();
+    const Reading reading = GltfMaker::with_material(material).read();
     if (!reading.scene) throw std::runtime_error(reading.text());
     const grf::Definition definition = definitions_of(*reading.scene).at(0);
     std::string joined;
@@ -119,7 +108,7 @@ TEST(GltfMaterial, CommentsHaveAllValuesThatAreRead) {
 TEST(GltfMaterial, TheBaseColoursTextureMultiplies) {
   json material = pbr({1, 1, 1, 1}, 0, 1);
   material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 1}};
-  const Reading reading = with_material(material).read();
+  const Reading reading = GltfMaker::with_material(material).read();
   ASSERT_TRUE(reading.scene);
   const grf::Mesh mesh = meshes_of(*reading.scene).at(0);
   EXPECT_EQ(std::get<grf::Texture>(mesh.surface(0).texture.value()).file, "wood a.png");
@@ -130,12 +119,12 @@ TEST(GltfMaterial, EmissionIsRadiance) {
   json material = {{"emissiveFactor", {1, 0.5, 0}},
                    {"doubleSided", true},
                    {"extensions", {{"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}}}}};
-  Reading reading = with_material(material).read();
+  Reading reading = GltfMaker::with_material(material).read();
   ASSERT_TRUE(reading.scene);
   EXPECT_EQ(meshes_of(*reading.scene).at(0).surface(0).emission, grf::Colour(8, 4, 0));
   EXPECT_THAT(reading.text(), HasSubstr("1 face lost the emission of its back"));
   material["emissiveTexture"] = {{"index", 0}};
-  reading = with_material(material).read();
+  reading = GltfMaker::with_material(material).read();
   EXPECT_FALSE(meshes_of(*reading.scene).at(0).surface(0).emission.has_value());
   EXPECT_THAT(reading.text(), HasSubstr("1 face lost its map of emission"));
 }
@@ -148,7 +137,7 @@ TEST(GltfMaterial, WhatIsLostIsSaid) {
   for (const char* extension : {"iridescence", "volume", "transmission"}) {
     material["extensions"][std::string("KHR_materials_") + extension] = {{"a", 1}};
   }
-  const Reading reading = with_material(material).read();
+  const Reading reading = GltfMaker::with_material(material).read();
   EXPECT_TRUE(reading.scene);
   for (const char* said :
        {"its transparency", "its normal map", "its occlusion map", "its map of a parameter",
@@ -159,7 +148,8 @@ TEST(GltfMaterial, WhatIsLostIsSaid) {
 }
 
 TEST(GltfMaterial, EmbeddedImagesBecomeFiles) {
-  GltfMaker maker = with_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+  GltfMaker maker =
+      GltfMaker::with_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
   const std::string png = "\x89PNG not decoded";
   const int bytes = maker.add(std::vector<char>(png.begin(), png.end()), "SCALAR", 5121);
   maker.json["images"] = {{{"bufferView", bytes}, {"mimeType", "image/jpeg"}, {"name", "../a.PNG"}},
