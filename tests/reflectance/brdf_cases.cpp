@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/reflectance/brdf_maker.h"
 #include "renderer/reflectance/layers.h"
 #include "tests/reflectance/rgl_cases.h"
 
@@ -153,6 +154,25 @@ Brdf brdf_of(const std::string& text) {
   constexpr std::string_view Rgl = "rgl ";
   if (text.starts_with(Rgl)) return rgl_of(text.substr(Rgl.size()));
   return text.find(" + ") == std::string::npos ? simple_brdf(text) : sum_of(text);
+}
+
+std::optional<grf::Scene> scene_with(const std::string& definitions, const std::string& brdf,
+                                     grf::Diagnostics& diagnostics, const std::string& last_end) {
+  return grf::read_text(
+      definitions + " begin begin mesh brdf " + brdf +
+          " begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end begin faces (0, 1, 2) end end " + last_end,
+      "scene.grf", diagnostics);
+}
+
+std::optional<Brdf> brdf_in(const grf::Scene& scene, grf::Diagnostics& diagnostics) {
+  std::optional<Brdf> brdf;
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
+    const grf::ResolvedSurface surface = resolve(mesh.surface(0), placement.scope);
+    brdf = reflectance::BrdfMaker(diagnostics).make(*surface.brdf, surface.brdf_scope);
+  };
+  visit(scene, visitor);
+  return brdf;
 }
 
 std::vector<std::string> extreme_cases() {

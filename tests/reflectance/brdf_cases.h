@@ -18,6 +18,13 @@ using reflectance::Vec3f;
 /// tests/reflectance/rgl, and `coat alpha=0.1 over diffuse` or `phong over diffuse` a BRDF below a layer.
 Brdf brdf_of(const std::string& text);
 
+/// Reads a scene of definitions and a mesh with this BRDF. `last_end` ends what the definitions begin.
+std::optional<grf::Scene> scene_with(const std::string& definitions, const std::string& brdf,
+                                     grf::Diagnostics& diagnostics, const std::string& last_end = "end");
+
+/// Makes the BRDF of the only mesh of a scene, or returns nothing after an error.
+std::optional<Brdf> brdf_in(const grf::Scene& scene, grf::Diagnostics& diagnostics);
+
 inline grf::ModelInfo info_of(const Brdf& brdf) {
   return std::visit([](const auto& model) { return reflectance::info_of<std::decay_t<decltype(model)>>(); },
                     brdf);
@@ -188,11 +195,13 @@ inline const std::vector<std::string>& hard_cases() {
 std::vector<std::string> extreme_cases();
 
 /// Returns the direction at an angle from the normal, in degrees.
-inline Vec3f direction(double theta_degrees, double phi_degrees) {
+inline Imath::V3d direction_in_double(double theta_degrees, double phi_degrees) {
   const double theta = theta_degrees * std::numbers::pi / 180;
   const double phi = phi_degrees * std::numbers::pi / 180;
-  return Vec3f(static_cast<float>(std::sin(theta) * std::cos(phi)),
-               static_cast<float>(std::sin(theta) * std::sin(phi)), static_cast<float>(std::cos(theta)));
+  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+inline Vec3f direction(double theta_degrees, double phi_degrees) {
+  return Vec3f(direction_in_double(theta_degrees, phi_degrees));
 }
 
 /// A pair of directions: random, or hard (grazing, equal, mirrored, nearly so, below the horizon).

@@ -16,22 +16,11 @@ using reflectance::Combine;
 using reflectance::Rgb;
 using reflectance::Vec3f;
 
-/// Returns the BRDF of the only mesh of a scene with those definitions.
+/// Returns the BRDF of a mesh in a scene with those definitions.
 std::optional<Brdf> brdf_in(const std::string& definitions, const std::string& attribute,
                             grf::Diagnostics& diagnostics) {
-  const auto scene =
-      grf::read_text(definitions + " begin begin mesh brdf " + attribute +
-                         " begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end begin faces (0, 1, 2) end end end",
-                     "scene.grf", diagnostics);
-  if (!scene) return std::nullopt;
-  std::optional<Brdf> brdf;
-  grf::SceneVisitor visitor;
-  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
-    const grf::ResolvedSurface surface = resolve(mesh.surface(0), placement.scope);
-    brdf = reflectance::BrdfMaker(diagnostics).make(*surface.brdf, surface.brdf_scope);
-  };
-  visit(*scene, visitor);
-  return brdf;
+  const auto scene = test::scene_with(definitions, attribute, diagnostics);
+  return scene ? test::brdf_in(*scene, diagnostics) : std::nullopt;
 }
 
 Brdf brdf_in(const std::string& definitions, const std::string& attribute) {

@@ -28,12 +28,6 @@ const json& independent_table() {
   return table;
 }
 
-V3d in_double(double theta_degrees, double phi_degrees) {
-  const double theta = theta_degrees * M_PI / 180;
-  const double phi = phi_degrees * M_PI / 180;
-  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
 /// Reads a grey value as one number.
 V3d channels_of(const json& value) {
   if (value.is_number()) return V3d(value.get<double>());
@@ -57,8 +51,8 @@ TEST_P(Independent, HasTheValuesOfThePaper) {
   const json& pairs = independent_table()["pairs"];
   ASSERT_EQ(instance_["values"].size(), pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const V3d u = in_double(pairs[i][0], pairs[i][1]);
-    const V3d v = in_double(pairs[i][2], pairs[i][3]);
+    const V3d u = test::direction_in_double(pairs[i][0], pairs[i][1]);
+    const V3d v = test::direction_in_double(pairs[i][2], pairs[i][3]);
     const V3d value = std::visit([&](const auto& model) { return model.evaluate(u, v); }, brdf_);
     const V3d expected = channels_of(instance_["values"][i]);
     // The weights of thinfilm's wavelengths have seven digits.
@@ -73,7 +67,7 @@ TEST_P(Independent, HasTheMirrorPartOfThePaper) {
   EXPECT_EQ(has_specular_part(brdf_), instance_.contains("mirrors"));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const V3d expected = instance_.contains("mirrors") ? channels_of(instance_["mirrors"][i]) : V3d(0);
-    const Vec3f u(in_double(pairs[i][0], pairs[i][1]));
+    const Vec3f u(test::direction_in_double(pairs[i][0], pairs[i][1]));
     expect_channels(specular_weight(brdf_, u), expected, 1e-4, " at " + pairs[i].dump());
   }
 }
@@ -81,7 +75,7 @@ TEST_P(Independent, HasTheMirrorPartOfThePaper) {
 TEST_P(Independent, HasTheAlbedoOfAnotherQuadrature) {
   const reflectance::Reflector reflector(brdf_, reflectance::OwnScheme());
   for (const json& one : instance_["albedos"]) {
-    const Vec3f u(in_double(one["view"][0], one["view"][1]));
+    const Vec3f u(test::direction_in_double(one["view"][0], one["view"][1]));
     const V3d expected = channels_of(one["albedo"]);
     const Rgb sampled = reflectance::albedo(reflector, u, 16384);
     for (int k = 0; k < 3; ++k) {
@@ -128,8 +122,8 @@ TEST(IndependentTable, HasThePlacesOfPairsInMeasuredData) {
     const json& pair = independent_table()["pairs"][i];
     const json& place = independent_table()["merl"][i];
     if (place.is_null() || place[2] < 1 || place[2] > 179) continue;  // phi_d is undefined, or wraps around
-    const V3d u = in_double(pair[0], pair[1]);
-    const V3d v = in_double(pair[2], pair[3]);
+    const V3d u = test::direction_in_double(pair[0], pair[1]);
+    const V3d v = test::direction_in_double(pair[2], pair[3]);
     const V3d places = channels_of(place);
     measured.linear = true;  // a cell's value is at its centre, half a cell in
     expect_channels(measured.evaluate(u, v), places + V3d(0.5), 1e-4, " at " + pair.dump());

@@ -8,7 +8,6 @@
 #include "grf/check.h"
 #include "grf/read.h"
 #include "grf/write.h"
-#include "renderer/reflectance/brdf_maker.h"
 #include "renderer/reflectance/scheme.h"
 #include "tests/reflectance/albedo.h"
 #include "tests/reflectance/brdf_cases.h"
@@ -123,22 +122,12 @@ INSTANTIATE_TEST_SUITE_P(Pairs, Layered,
                                          "coat alpha=0.4 over coat alpha=0.2 over diffuse kd=1",
                                          "ggx alpha=0.2 ay=0.5 nreal=2 over diffuse kd=0.9"));
 
-/// Returns the BRDF of the only mesh of a scene with those definitions.
+/// Checks a scene of definitions and a mesh, and makes the mesh's BRDF.
 std::optional<Brdf> brdf_in(const std::string& definitions, const std::string& attribute,
                             grf::Diagnostics& diagnostics, const std::string& last_end = "end") {
-  const auto scene = grf::read_text(
-      definitions + " begin begin mesh brdf " + attribute +
-          " begin vertexs (0, 0, 0) (1, 0, 0) (0, 1, 0) end begin faces (0, 1, 2) end end " + last_end,
-      "scene.grf", diagnostics);
-  if (!scene || !grf::check(*scene, reflectance::catalogue(), diagnostics)) return std::nullopt;
-  std::optional<Brdf> brdf;
-  grf::SceneVisitor visitor;
-  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
-    const grf::ResolvedSurface surface = resolve(mesh.surface(0), placement.scope);
-    brdf = reflectance::BrdfMaker(diagnostics).make(*surface.brdf, surface.brdf_scope);
-  };
-  visit(*scene, visitor);
-  return brdf;
+  const auto scene = test::scene_with(definitions, attribute, diagnostics, last_end);
+  const bool is_right = scene && grf::check(*scene, reflectance::catalogue(), diagnostics);
+  return is_right ? test::brdf_in(*scene, diagnostics) : std::nullopt;
 }
 
 std::string errors_in(const std::string& definitions, const std::string& attribute) {

@@ -10,6 +10,7 @@
 #include "renderer/reflectance/brdf_maker.h"
 #include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/rgl_data.h"
+#include "tests/reflectance/brdf_cases.h"
 #include "tests/reflectance/rgl_cases.h"
 #include "tests/statistics/chi_square.h"
 #include "tests/statistics/quadrature.h"
@@ -36,12 +37,6 @@ const json& expected_values() {
   return table;
 }
 
-V3d direction_of(double theta_degrees, double phi_degrees) {
-  const double theta = theta_degrees * M_PI / 180;
-  const double phi = phi_degrees * M_PI / 180;
-  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
 struct Case {
   std::string name;
   double at_nodes = 0;  ///< largest relative error of interpolation where the view is at nodes of the tables
@@ -60,7 +55,8 @@ class Rgl : public testing::TestWithParam<Case> {
   void expect_values(const json& lines, double tolerance) const {
     for (const json& line : lines) {
       const json& pair = line["pair"];
-      const V3d value = data_->evaluate(direction_of(pair[0], pair[1]), direction_of(pair[2], pair[3]));
+      const V3d value = data_->evaluate(test::direction_in_double(pair[0], pair[1]),
+                                        test::direction_in_double(pair[2], pair[3]));
       for (int k = 0; k < 3; ++k) {
         const double expected = line["rgb"][static_cast<std::size_t>(k)];
         EXPECT_NEAR(value[k], expected, tolerance * std::max(expected, GetParam().least))
@@ -81,7 +77,7 @@ TEST_P(Rgl, InterpolatesBetweenViewDirections) {
 std::vector<Vec3f> views() {
   std::vector<Vec3f> list;
   for (const double theta : {0.0, 20.0, 33.0, 60.0, 80.0, 89.0})
-    list.emplace_back(direction_of(theta, 25 + 3 * theta));
+    list.emplace_back(test::direction_in_double(theta, 25 + 3 * theta));
   return list;
 }
 
@@ -119,7 +115,7 @@ TEST_P(Rgl, AgreesWithItsParts) {
 TEST_P(Rgl, EstimatesItsAlbedo) {
   const reflectance::Rgl brdf{data_};
   for (const double theta : {0.0, 25.0, 60.0}) {
-    const Vec3f u(direction_of(theta, 40));
+    const Vec3f u(test::direction_in_double(theta, 40));
     const double albedo =
         statistics::Quadrature(
             [&](const Vec3f& v) { return double(reflectance::mean(brdf.evaluate(u, v)) * v.z); },
@@ -130,9 +126,9 @@ TEST_P(Rgl, EstimatesItsAlbedo) {
 }
 
 TEST_P(Rgl, IsBlackBelowTheHorizonAndFiniteAnywhere) {
-  for (const V3d& u :
-       {V3d(0, 0, 1), V3d(1, 0, 0), V3d(-1, 0, 1e-9), V3d(0, 1, 1e-5).normalized(), V3d(0, 0, -1),
-        direction_of(40, 180), direction_of(40, -180), direction_of(40, 90), direction_of(89.99, 0)}) {
+  for (const V3d& u : {V3d(0, 0, 1), V3d(1, 0, 0), V3d(-1, 0, 1e-9), V3d(0, 1, 1e-5).normalized(),
+                       V3d(0, 0, -1), test::direction_in_double(40, 180), test::direction_in_double(40, -180),
+                       test::direction_in_double(40, 90), test::direction_in_double(89.99, 0)}) {
     for (const V3d& v : {V3d(0, 0, 1), V3d(-1, 0, 0), V3d(1, 0, 1e-9), V3d(0, -1, 1e-5).normalized(),
                          V3d(0.6, 0, -0.8), V3d(-u.x, -u.y, u.z), u}) {
       const V3d value = data_->evaluate(u, v);
@@ -152,12 +148,14 @@ TEST_P(Rgl, IsContinuousInTheAzimuth) {
   // Both ends of a half turn have the same tables only within the error of interpolation.
   const auto tolerance = [](double value) { return 2e-3 * value + 5e-4; };
   for (double phi = -180; phi <= 360; phi += 45) {
-    const V3d v = direction_of(30, 200);
-    const V3d before = data_->evaluate(direction_of(35, phi - 1e-4), v);
-    const V3d after = data_->evaluate(direction_of(35, phi + 1e-4), v);
+    const V3d v = test::direction_in_double(30, 200);
+    const V3d before = data_->evaluate(test::direction_in_double(35, phi - 1e-4), v);
+    const V3d after = data_->evaluate(test::direction_in_double(35, phi + 1e-4), v);
     EXPECT_NEAR(before.x, after.x, tolerance(before.x)) << phi;
-    const V3d swapped = data_->evaluate(v, direction_of(35, phi - 1e-4));
-    EXPECT_NEAR(swapped.x, data_->evaluate(v, direction_of(35, phi + 1e-4)).x, tolerance(swapped.x)) << phi;
+    const V3d swapped = data_->evaluate(v, test::direction_in_double(35, phi - 1e-4));
+    EXPECT_NEAR(swapped.x, data_->evaluate(v, test::direction_in_double(35, phi + 1e-4)).x,
+                tolerance(swapped.x))
+        << phi;
   }
 }
 
@@ -173,8 +171,8 @@ V3d turned(const V3d& w, double angle) {
 }
 
 TEST(RglFiles, HaveTheirSymmetries) {
-  const V3d u = direction_of(35, 24);
-  const V3d v = direction_of(50, 160);
+  const V3d u = test::direction_in_double(35, 24);
+  const V3d v = test::direction_in_double(50, 160);
   const auto copper = load("copper");
   const auto half = load("brushed_half");
   const auto quarter = load("brushed_quarter");
@@ -195,7 +193,8 @@ TEST(RglFiles, HaveSpectra) {
   int compared = 0;
   for (const json& line : expected_values()["copper"]["at_nodes"]) {
     const json& pair = line["pair"];
-    const auto spectrum = data->spectrum(direction_of(pair[0], pair[1]), direction_of(pair[2], pair[3]));
+    const auto spectrum = data->spectrum(test::direction_in_double(pair[0], pair[1]),
+                                         test::direction_in_double(pair[2], pair[3]));
     ASSERT_EQ(spectrum.size(), 10U);
     for (std::size_t i = 0; i < spectrum.size(); ++i) {
       const double expected = line["spectrum"][i];
@@ -213,7 +212,7 @@ TEST(RglFiles, HaveSpectra) {
 TEST(RglFiles, ReflectAllLightIfWhite) {
   const reflectance::Rgl matte{load("matte")};
   for (const double theta : {0.0, 12.0, 20.0, 38.0, 63.0}) {
-    const Vec3f u(direction_of(theta, 10));
+    const Vec3f u(test::direction_in_double(theta, 10));
     double sum = 0;
     constexpr std::uint32_t Count = 20000;
     for (std::uint32_t i = 0; i < Count; ++i) {
