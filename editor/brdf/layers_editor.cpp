@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "editor/appearance/theme.h"
+#include "editor/brdf/brdf_list.h"
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/text.h"
 
@@ -20,8 +21,7 @@ LayersEditor::LayersEditor(const std::string& keyword, QWidget* parent) : QWidge
     auto* name = new QLabel(text_of(layer), row);
     name->setMinimumWidth(6 * Grid);
     line->addWidget(name);
-    QComboBox* list = narrow_list(tr("BRDF of the layer %1").arg(text_of(layer)),
-                                  tr("A BRDF that the scene defines"), 6, row);
+    QComboBox* list = new_brdf_list(tr("BRDF of the layer %1").arg(text_of(layer)), row);
     list->setPlaceholderText(tr("choose a BRDF"));
     name->setBuddy(list);
     line->addWidget(list, 1);
@@ -55,10 +55,7 @@ void LayersEditor::refresh() {
     QComboBox* list = lists_[i];
     const QString before = list->currentText();
     const QString name = i < terms_.size() ? QString::fromStdString(terms_[i].brdf.name) : before;
-    list->clear();
-    for (const QString& one : names_) list->addItem(one);
-    if (!name.isEmpty() && list->findText(name, Qt::MatchFixedString) < 0) list->addItem(name);
-    list->setCurrentIndex(name.isEmpty() ? -1 : list->findText(name, Qt::MatchFixedString));
+    fill_brdf_list(*list, names_, name);
     list->setEnabled(!names_.empty());
   }
   hint_->setVisible(names_.empty());

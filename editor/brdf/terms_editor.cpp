@@ -9,6 +9,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/appearance/theme.h"
+#include "editor/brdf/brdf_list.h"
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
 #include "editor/controls/tab_order.h"
@@ -77,10 +78,8 @@ void TermsEditor::add_row(std::size_t index) {
   weight->setFixedWidth(10 * Grid);
   weight->set_value(terms_[index].weight);
   line->addWidget(weight);
-  QComboBox* choice = narrow_list(tr("BRDF of the term"), tr("A BRDF that the scene defines"), 6, row);
-  for (const QString& one : names_) choice->addItem(one);
-  if (choice->findText(name, Qt::MatchFixedString) < 0) choice->addItem(name);
-  choice->setCurrentIndex(choice->findText(name, Qt::MatchFixedString));
+  QComboBox* choice = new_brdf_list(tr("BRDF of the term"), row);
+  fill_brdf_list(*choice, names_, name);
   line->addWidget(choice, 1);
   const auto take_out = [this, index] {
     terms_.erase(terms_.begin() + static_cast<std::ptrdiff_t>(index));

@@ -3563,10 +3563,6 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <translation>BRDF de la capa %1</translation>
     </message>
     <message>
-        <source>A BRDF that the scene defines</source>
-        <translation>Una BRDF que define la escena</translation>
-    </message>
-    <message>
         <source>choose a BRDF</source>
         <translation>elija una BRDF</translation>
     </message>

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numbers>
-#include <optional>
 
 #include "renderer/reflectance/shader.h"
 
@@ -34,8 +34,7 @@ struct LightFormula {
   };
   // NOLINTEND(readability-identifier-naming)
 
-  const reflectance::Brdf* brdf = nullptr;
-  std::optional<reflectance::Transmission> transmission;  ///< of layers above
+  const reflectance::CombinedBrdf* term = nullptr;
   const SceneEnvironment* environment = nullptr;
   real headlight = static_cast<real>(StudioHeadlight);
   int light_count = 0;
@@ -59,8 +58,9 @@ struct LightFormula {
   }
 
   vec3 model(const vec3& u, const vec3& v) const {
-    const vec3 value(reflectance::evaluate(*brdf, reflectance::Vec3f(u), reflectance::Vec3f(v)));
-    return transmission ? value * transmission->factor(u, v) : value;
+    const reflectance::Vec3f from(u);
+    const reflectance::Vec3f to(v);
+    return vec3(term->contribution(reflectance::evaluate(term->brdf, from, to), from, to));
   }
 
   static real exp(real x) { return std::exp(x); }
@@ -132,8 +132,7 @@ class Shading {
     for (int i = 0; i < static_cast<int>(terms.y); ++i) {
       const Imath::V4f& head = tables_.terms[term];
       if (static_cast<std::size_t>(head.y) == light_.model) {
-        formula_.brdf = brdf_of(term);
-        formula_.transmission = transmission_of(term);
+        formula_.term = term_of(term);
         sum += static_cast<double>(head.x) * formula_.reflected_light(u, to_world_ * frame, terms.w, start,
                                                                       light_.samples, light_.first_sample);
       }
@@ -143,29 +142,30 @@ class Shading {
   }
 
  private:
-  std::optional<reflectance::Transmission> transmission_of(std::size_t term) const {
-    if (!(tables_.terms[term].w > 0)) return std::nullopt;
-    const std::size_t first = term + 1 + static_cast<std::size_t>(tables_.terms[term].z);
-    reflectance::Transmission::Table table;
-    for (std::size_t row = 0; row < table.size(); ++row) {
-      const Imath::V4f& value = tables_.terms[first + row];
-      table[row] = Rgb(value.x, value.y, value.z);
-    }
-    return reflectance::Transmission(table);
-  }
-
-  /// The values of a term's parameters follow it.
-  const reflectance::Brdf* brdf_of(std::size_t term) {
-    const auto [entry, is_new] = brdfs_.try_emplace(term);
+  /// Makes the BRDF of a term, once: its parameters and what layers above it transmit are in the table.
+  const reflectance::CombinedBrdf* term_of(std::size_t term) {
+    const auto [entry, is_new] = terms_.try_emplace(term);
     if (is_new) {
-      std::vector<Rgb> values;
-      for (std::size_t k = 1; k <= static_cast<std::size_t>(tables_.terms[term].z); ++k) {
-        const Imath::V4f& value = tables_.terms[term + k];
-        values.emplace_back(value.x, value.y, value.z);
+      const Imath::V4f& head = tables_.terms[term];
+      const auto parameters = static_cast<std::size_t>(head.z);
+      entry->second = {1, reflectance::brdf_of_values(light_.model, values_of(term + 1, parameters))};
+      const auto rows = values_of(term + 1 + parameters, static_cast<std::size_t>(head.w));
+      if (!rows.empty()) {
+        reflectance::Transmission::Table table;
+        std::copy_n(rows.begin(), table.size(), table.begin());
+        entry->second.transmission = std::make_shared<const reflectance::Transmission>(table);
       }
-      entry->second = reflectance::brdf_of_values(light_.model, values);
     }
     return &entry->second;
+  }
+
+  std::vector<Rgb> values_of(std::size_t first, std::size_t count) const {
+    std::vector<Rgb> values;
+    for (std::size_t i = first; i < first + count; ++i) {
+      const Imath::V4f& value = tables_.terms[i];
+      values.emplace_back(value.x, value.y, value.z);
+    }
+    return values;
   }
 
   const CpuShading& light_;
@@ -174,7 +174,7 @@ class Shading {
   LightFormula::vec2 tangents_;
   LightFormula::mat3 to_world_;
   LightFormula formula_;
-  std::map<std::size_t, reflectance::Brdf> brdfs_;
+  std::map<std::size_t, reflectance::CombinedBrdf> terms_;  ///< by their place in the table
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ bool SceneBuffers::set_objects(std::shared_ptr<const SceneObjects> objects) {
     faces_ = face_tables_of(*objects_);
     face_table_.upload(std::span<const std::uint32_t>(faces_.surface_of_face));
   }
-  surfaces_ = surface_tables_of(*objects_);
+  surfaces_ = surface_tables_of(*objects_, layered_brdfs_);
   surface_table_.upload(std::span<const Imath::V4f>(surfaces_.surfaces));
   term_table_.upload(std::span<const Imath::V4f>(surfaces_.terms));
   if (!before->instances.shares(objects_->instances)) {

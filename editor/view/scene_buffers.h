@@ -66,6 +66,7 @@ class SceneBuffers {
   std::shared_ptr<const SceneObjects> objects_ = std::make_shared<const SceneObjects>();
   FaceTables faces_;
   SurfaceTables surfaces_;
+  LayeredBrdfs layered_brdfs_;                                  ///< of `surfaces_`
   std::map<BuffersKey, std::unique_ptr<MeshBuffers>> buffers_;  ///< by geometry and hidden faces
   std::vector<std::shared_ptr<const MeshGeometry>> geometries_;
   std::vector<MeshBuffers*> meshes_;

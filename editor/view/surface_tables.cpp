@@ -6,7 +6,6 @@
 #include <optional>
 #include <variant>
 
-#include "grf/write.h"
 #include "renderer/reflectance/brdf_maker.h"
 #include "renderer/reflectance/shader.h"
 
@@ -20,9 +19,15 @@ constexpr std::size_t FormulaCount = std::variant_size_v<reflectance::FormulaBrd
 Imath::V4f row(const Rgb& rgb, float w) { return {rgb.x, rgb.y, rgb.z, w}; }
 
 using reflectance::CombinedBrdf;
+using reflectance::CombinedBrdfs;
 
 class Builder {
  public:
+  /// `made` has the layered BRDFs of the tables before.
+  explicit Builder(LayeredBrdfs made) : made_(std::move(made)) {}
+
+  LayeredBrdfs layered_brdfs() && { return std::move(layered_brdfs_); }
+
   SurfaceTables build(const SceneObjects& objects) {
     for (const MeshObject& mesh : objects.meshes) {
       for (const FlatSurface& flat_surface : mesh.flat_surfaces) add_surface(flat_surface, mesh.is_light);
@@ -74,31 +79,35 @@ class Builder {
   }
 
   void add_layers(const FlatTerm& term, std::vector<CombinedBrdf>& brdfs) {
-    for (CombinedBrdf part : parts_of(term)) {
+    const CombinedBrdfs& parts = parts_of(term);
+    if (parts.empty()) {
+      tables_.not_shown.insert(term.brdf.keyword);
+      brdfs.push_back({term.weight, reflectance::default_brdf()});
+    }
+    for (CombinedBrdf part : parts) {
       part.weight *= term.weight;
-      if (part.brdf.index() >= FormulaCount) {
-        tables_.not_shown.insert(term.brdf.keyword);
-        part.brdf = reflectance::default_brdf();
-      }
       brdfs.push_back(std::move(part));
     }
   }
 
-  /// Makes the parts of a layered BRDF once for all surfaces that have it: its quadrature takes milliseconds.
-  const std::vector<CombinedBrdf>& parts_of(const FlatTerm& term) {
-    std::string text = grf::to_text(term.brdf);
-    for (const grf::Definition& definition : term.definitions) {
-      text += '\n' + definition.name + '=' + grf::to_text(std::get<grf::BrdfModel>(definition.body));
-    }
-    const auto [known, is_new] = layers_.try_emplace(std::move(text));
-    if (!is_new) return known->second;
+  /// Makes the parts of a layered BRDF, unless they are known: its quadrature takes milliseconds. Data files
+  /// are not read here, so that a BRDF with one of them is shown as diffuse.
+  const CombinedBrdfs& parts_of(const FlatTerm& term) {
     grf::ScopeStack stack;
     for (const grf::Definition& definition : term.definitions) stack.enter(definition);
     grf::Diagnostics ignored_diagnostics;
-    const auto brdf = reflectance::BrdfMaker(ignored_diagnostics).make(term.brdf, stack.scope());
+    reflectance::BrdfMaker maker(ignored_diagnostics);
+    const std::string identity = maker.identity(term.brdf, stack.scope());
+    const auto [entry, is_new] = layered_brdfs_.try_emplace(identity);
+    if (!is_new) return entry->second;
+    if (const auto before = made_.find(identity); before != made_.end()) {
+      return entry->second = std::move(before->second);
+    }
+    const bool reads_data = !maker.data_files_of(term.brdf, stack.scope()).empty();
+    const auto brdf = reads_data ? std::nullopt : maker.make(term.brdf, stack.scope());
     const auto* sum = brdf ? std::get_if<reflectance::Combine>(&*brdf) : nullptr;
-    if (sum != nullptr && sum->parts) known->second = *sum->parts;
-    return known->second;
+    if (sum != nullptr && sum->parts) entry->second = *sum->parts;
+    return entry->second;
   }
 
   void add_term(const CombinedBrdf& term) {
@@ -122,11 +131,7 @@ class Builder {
       const float cosine = std::max(1e-3F, static_cast<float>(i) / (SurfaceTables::SpecularValues - 1));
       const grf::Vec3f u(std::sqrt(1 - cosine * cosine), 0, cosine);
       Rgb sum(0);
-      for (const CombinedBrdf& term : brdfs) {
-        Rgb weight = term.weight * reflectance::specular_weight(term.brdf, u);
-        if (term.transmission) weight *= term.transmission->factor(u, u);
-        sum += weight;
-      }
+      for (const CombinedBrdf& term : brdfs) sum += term.specular_weight(u);
       tables_.terms.push_back(row(sum, 0));
     }
     return static_cast<float>(first);
@@ -146,7 +151,8 @@ class Builder {
 
   SurfaceTables tables_;
   std::map<std::string, std::size_t> texture_numbers_;
-  std::map<std::string, std::vector<CombinedBrdf>> layers_;  ///< by text
+  LayeredBrdfs made_;
+  LayeredBrdfs layered_brdfs_;
 };
 
 /// An exposure that maps a value which few vertices exceed to white.
@@ -186,7 +192,12 @@ FaceTables face_tables_of(const SceneObjects& objects) {
   return tables;
 }
 
-SurfaceTables surface_tables_of(const SceneObjects& objects) { return Builder().build(objects); }
+SurfaceTables surface_tables_of(const SceneObjects& objects, LayeredBrdfs& layered_brdfs) {
+  Builder builder(std::move(layered_brdfs));
+  SurfaceTables tables = builder.build(objects);
+  layered_brdfs = std::move(builder).layered_brdfs();
+  return tables;
+}
 
 bool have_same_faces(const SceneObjects& a, const SceneObjects& b) {
   return std::equal(a.meshes.begin(), a.meshes.end(), b.meshes.begin(), b.meshes.end(),

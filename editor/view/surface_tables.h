@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <ImathVec.h>
 
 #include "editor/document/scene_objects.h"
+#include "renderer/reflectance/brdf.h"
 
 namespace editor {
 
@@ -38,7 +40,13 @@ struct SurfaceTables {
 };
 
 FaceTables face_tables_of(const SceneObjects& objects);
-SurfaceTables surface_tables_of(const SceneObjects& objects);
+
+/// The parts of layered BRDFs, by their identity (reflectance::BrdfMaker); none for one that is not shown.
+using LayeredBrdfs = std::map<std::string, reflectance::CombinedBrdfs>;
+
+/// Makes the tables. `layered_brdfs` are those of the tables before, which are not made again, and become
+/// those of these.
+SurfaceTables surface_tables_of(const SceneObjects& objects, LayeredBrdfs& layered_brdfs);
 
 /// Whether the face tables of both are equal because they share their data; faces are not compared.
 bool have_same_faces(const SceneObjects& a, const SceneObjects& b);
