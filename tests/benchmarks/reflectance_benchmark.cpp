@@ -14,7 +14,9 @@ using reflectance::Rgb;
 std::string instance_of(const grf::ModelInfo& model) {
   switch (model.argument_kind) {
     case grf::ModelInfo::ArgumentKind::DataFile:
-      return "table of torrance rough=0.3";
+      return model.keyword == "rgl" ? "rgl brushed" : "table of torrance rough=0.3";
+    case grf::ModelInfo::ArgumentKind::Layers:
+      return model.keyword == "coat" ? "coat over diffuse" : "torrance over diffuse";
     case grf::ModelInfo::ArgumentKind::Terms:
       return "0.5 diffuse + 0.3 ward sx=0.1 + 0.2 phong";
     case grf::ModelInfo::ArgumentKind::Parameters:
