@@ -31,24 +31,32 @@ real lobe_pdf(vec3 u, vec3 v, real exponent) {
 }
 
 // Half of the directions are sampled by the cosine and half by the lobe, weighted by the pdf of their mixture.
-vec3 sky_part(vec3 u, mat3 to_world, real exponent, vec2 start, int samples, int first_sample) {
-  vec3 sum = vec3(0, 0, 0);
-  for (int i = 0; i < samples; ++i) {
-    vec2 xi = fract(start + real(i / 2 + first_sample) * vec2(0.7548776662, 0.5698402910));
-    vec3 v = (i & 1) == 0 ? cosine_direction(xi) : lobe_direction(u, exponent, xi);
-    if (v.z <= 1e-4) continue;
-    real pdf = 0.5 * (v.z / PI + lobe_pdf(u, v, exponent));
-    sum += model(u, v) * sampled_sky(to_world * v) * (v.z / pdf);
-  }
-  return sum / real(samples);
+vec3 sky_direction(vec3 u, real exponent, vec2 start, int sample) {
+  vec2 xi = fract(start + real(sample / 2) * vec2(0.7548776662, 0.5698402910));
+  return (sample & 1) == 0 ? cosine_direction(xi) : lobe_direction(u, exponent, xi);
 }
 
+vec3 sky_light(vec3 u, vec3 v, mat3 to_world, real exponent) {
+  if (v.z <= 1e-4) return vec3(0, 0, 0);
+  real pdf = 0.5 * (v.z / PI + lobe_pdf(u, v, exponent));
+  return sampled_sky(to_world * v) * (v.z / pdf);
+}
+
+// One loop runs over the sky's samples, the headlight and the lights: drivers inline the BRDF wherever it is called,
+// so that each further call would make compiling as much longer.
 vec3 reflected_light(vec3 u, mat3 to_world, real exponent, vec2 start, int samples, int first_sample) {
-  vec3 sum = sky_part(u, to_world, exponent, start, samples, first_sample);
-  if (headlight > 0) sum += model(u, u) * (headlight * u.z);
-  for (int i = 0; i < light_count; ++i) {
-    vec3 v = light_directions[i] * to_world;
-    if (v.z > 1e-4) sum += model(u, v) * light_irradiance[i] * v.z;
+  vec3 sum = vec3(0, 0, 0);
+  for (int i = 0; i < samples + 1 + light_count; ++i) {
+    vec3 v = u;
+    vec3 light = vec3(1, 1, 1) * (headlight * u.z);
+    if (i < samples) {
+      v = sky_direction(u, exponent, start, i + 2 * first_sample);
+      light = sky_light(u, v, to_world, exponent) / real(samples);
+    } else if (i > samples) {
+      v = light_directions[i - samples - 1] * to_world;
+      light = light_irradiance[i - samples - 1] * v.z;
+    }
+    if (v.z > 1e-4 && max(light.x, max(light.y, light.z)) > 0) sum += model(u, v) * light;
   }
   return sum;
 }
