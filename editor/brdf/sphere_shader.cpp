@@ -27,8 +27,6 @@ void main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2
 const char* const MainText = R"(
 uniform float side;
 uniform float radius;
-uniform vec3 light;
-uniform float light_strength;
 uniform int samples;
 out vec4 result;
 void main() {
@@ -46,8 +44,7 @@ void main() {
     shift_b = part_above_floor(0.8191725134 * x + 0.6710436067 * y);
   }
   vec3 u = to_local(vec3(0, 0, 1));
-  result.rgb = light_radiance(u, light, vec3(light_strength)) + specular_radiance(u) +
-               environment_sum(u, 0, samples) / float(samples);
+  result.rgb = reflected_radiance(u, 0, samples, 1) + specular_radiance(u);
 }
 )";
 
@@ -87,8 +84,10 @@ struct SphereShader::Parts {
     program.bind();
     program.setUniformValue("side", static_cast<float>(scene.side));
     program.setUniformValue("radius", radius_of(scene.side));
-    program.setUniformValue("light", scene.light.x, scene.light.y, scene.light.z);
-    program.setUniformValue("light_strength", scene.light_strength);
+    program.setUniformValue("light_count", 1);
+    program.setUniformValue("light_directions", scene.light.x, scene.light.y, scene.light.z);
+    program.setUniformValue("light_irradiances", scene.light_strength, scene.light_strength,
+                            scene.light_strength);
     program.setUniformValue("samples", samples);
     sky.set(program, scene.environment, 0);
     const reflectance::SpecularTable specular = reflectance::specular_table(*scene.brdf);

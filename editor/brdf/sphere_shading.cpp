@@ -1,6 +1,7 @@
 #include "editor/brdf/sphere_shading.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "editor/jobs/parallel_rows.h"
@@ -51,10 +52,10 @@ SphereImage shade_on_cpu(const SphereScene& scene, int samples, const StopFlag& 
   image.side = scene.side;
   image.radiance.resize(static_cast<std::size_t>(scene.side) * scene.side, Rgb(0));
   const reflectance::SpecularTable specular = reflectance::specular_table(*scene.brdf);
-  const reflectance::DistantLight light = {scene.light, Rgb(scene.light_strength)};
+  const std::array lights = {reflectance::DistantLight{scene.light, Rgb(scene.light_strength)}};
   const bool is_map = scene.environment.kind == studies::Environment::Kind::Map;
   for_each_row(scene.side, [&](int row) {
-    reflectance::LitSurface surface(*scene.brdf, specular, scene.environment);
+    reflectance::LitSurface surface(*scene.brdf, specular, scene.environment, lights);
     for (int column = 0; column < scene.side && !stop.is_set(); ++column) {
       const Vec3f n = sphere_normal(scene.side, column + 0.5, row + 0.5);
       if (n.z < 0) continue;
@@ -63,8 +64,7 @@ SphereImage shade_on_cpu(const SphereScene& scene, int samples, const StopFlag& 
       surface.place(n, shift.first, shift.second);
       const Vec3f u = surface.in_frame(Vec3f(0, 0, 1));
       image.radiance[static_cast<std::size_t>(row) * scene.side + column] =
-          surface.due_to_light(u, light) + surface.specular(u) +
-          surface.environment_estimates(u, 0, samples) / static_cast<float>(samples);
+          surface.reflected(u, 0, samples) + surface.specular(u);
     }
   });
   return stop.is_set() ? SphereImage() : image;

@@ -277,7 +277,7 @@ void BrdfDrawing::add_brdf(BrdfLayers& layers, const studies::LitBrdf& brdf, con
     irradiance[i] = vector(lights[i].irradiance);
   }
   program.setUniformValueArray("light_directions", directions.data(), static_cast<int>(MostLights));
-  program.setUniformValueArray("light_irradiance", irradiance.data(), static_cast<int>(MostLights));
+  program.setUniformValueArray("light_irradiances", irradiance.data(), static_cast<int>(MostLights));
   const auto draw = [&](const reflectance::Brdf& part, const reflectance::SpecularTable& specular,
                         std::size_t light_count, int samples, float weight, float opacity) {
     const auto shader = reflectance::shader_of(part);

@@ -12,6 +12,11 @@ vec3 brdf_specular(vec3 u) {
   int below = min(int(place), 62);
   return mix(specular_weights[below], specular_weights[below + 1], place - below);
 }
+uniform int light_count;  // up to 3
+uniform vec3 light_directions[3];
+uniform vec3 light_irradiances[3];
+vec3 light_direction(int i) { return light_directions[min(i, 2)]; }
+vec3 light_irradiance(int i) { return light_irradiances[min(i, 2)]; }
 vec3 tangent, bitangent, normal;
 float shift_a = 0.5;
 float shift_b = 0.5;

@@ -1,6 +1,7 @@
 // Computes the light that a point of a surface reflects, in the common subset of GLSL and C++: see
 // lit_surface.h. The frame of the point is `tangent`, `bitangent` and `normal`; `brdf_value` and
-// `brdf_specular` are the BRDF's, and `environment_radiance` is that of the surroundings, in world space. If
+// `brdf_specular` are the BRDF's, `light_direction` towards and `light_irradiance` of each of `light_count` lights
+// theirs, and `environment_radiance` is that of the surroundings, in world space. If
 // `environment_is_drawn`, they draw the directions `environment_direction(i)`, i >= 0, with the solid-angle pdf
 // `environment_pdf`.
 
@@ -63,24 +64,24 @@ vec3 drawn_direction(vec3 u, int i) {
   return drawn_about(vec3(-u.x, -u.y, u.z), lobe_exponent(lobe), i / 4);
 }
 
-// The radiance due to a light from this direction, which causes so much irradiance on a surface that faces
-// it.
-vec3 light_radiance(vec3 u, vec3 light, vec3 irradiance) {
-  vec3 v = to_local(light);
-  return v.z > 0 ? brdf_value(u, v) * irradiance * v.z : vec3(real(0));
-}
-
 // The ideal specular reflection of the environment.
 vec3 specular_radiance(vec3 u) {
   return brdf_specular(u) * environment_radiance(to_world(vec3(-u.x, -u.y, u.z)));
 }
 
-// The sum of `count` Monte Carlo estimates of the radiance due to the environment.
-vec3 environment_sum(vec3 u, int first, int count) {
+// The radiance due to the lights, and `weight` times the mean of `count` Monte Carlo estimates of that due to the
+// environment. One loop runs over both: drivers inline the BRDF wherever it is called, so that each further call would
+// make compiling as much longer.
+vec3 reflected_radiance(vec3 u, int first, int count, real weight) {
   vec3 sum = vec3(real(0));
-  for (int i = first; i < first + count; ++i) {
-    vec3 v = drawn_direction(u, i);
-    if (v.z > 0) sum += brdf_value(u, v) * environment_radiance(to_world(v)) * (v.z / drawn_pdf(u, v));
+  for (int i = 0; i < light_count + count; ++i) {
+    bool is_light = i < light_count;
+    vec3 v = is_light ? to_local(light_direction(i)) : drawn_direction(u, first + i - light_count);
+    if (v.z > 0) {
+      vec3 light = is_light ? light_irradiance(i)
+                            : environment_radiance(to_world(v)) * (weight / (real(count) * drawn_pdf(u, v)));
+      sum += brdf_value(u, v) * light * v.z;
+    }
   }
   return sum;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct DistantLight {
 };
 
 /// The GLSL of lit_surface.glsl with a BRDF's text before it (see `Shader`), of which it has the specular
-/// part as a table: `uniform vec3 specular_weights[64]`. `environment` is GLSL of what
+/// part as a table: `uniform vec3 specular_weights[64]`. The lights are `uniform int light_count`, up to 3,
+/// `uniform vec3 light_directions[3]` and `uniform vec3 light_irradiances[3]`. `environment` is GLSL of what
 /// lit_surface.glsl needs of it, for which it can use `studio_radiance` below.
 std::string lit_surface_shader(const std::string& brdf, const std::string& environment);
 
@@ -40,8 +42,13 @@ class LitSurface {
   static constexpr float PI = glsl::Pi<float>;
 
  public:
-  LitSurface(const Brdf& brdf, const SpecularTable& specular, const Environment& environment)
-      : brdf_(brdf), specular_(specular), environment_(environment) {}
+  LitSurface(const Brdf& brdf, const SpecularTable& specular, const Environment& environment,
+             std::span<const DistantLight> lights = {})
+      : brdf_(brdf),
+        specular_(specular),
+        environment_(environment),
+        lights_(lights),
+        light_count(static_cast<int>(lights.size())) {}
 
   /// Sets the unit normal, and shifts the sampled directions of its environment by numbers in [0,1).
   void place(const Vec3f& at_normal, float first_shift, float second_shift) {
@@ -52,15 +59,12 @@ class LitSurface {
     shift_b = second_shift;
   }
 
-  /// The radiance due to a light, and to the specular reflection of the environment, for an eye in the local
-  /// frame: see `eye_from`. (The functions of the text are not const.)
-  Rgb due_to_light(const Vec3f& u, const DistantLight& light) {
-    return light_radiance(u, light.direction, light.irradiance);
-  }
+  /// The radiance due to the specular reflection of the environment, for an eye in the local frame: see
+  /// `eye_from`. (The functions of the text are not const.)
   Rgb specular(const Vec3f& u) { return specular_radiance(u); }
-  /// The sum of estimates of the radiance due to the environment, each from another direction. Multiples of 4
-  /// directions sample all lobes equally.
-  Rgb environment_estimates(const Vec3f& u, int first, int count) { return environment_sum(u, first, count); }
+  /// The radiance due to the lights, and the mean of `count` estimates of that due to the environment, each
+  /// from another direction. Multiples of 4 directions sample all lobes equally.
+  Rgb reflected(const Vec3f& u, int first, int count) { return reflected_radiance(u, first, count, 1); }
   /// A direction in the local frame.
   Vec3f in_frame(const Vec3f& direction) { return to_local(direction); }
   /// The direction towards the eye in the local frame, clamped to the horizon.
@@ -75,6 +79,8 @@ class LitSurface {
     const float fraction = place - static_cast<float>(below);
     return specular_[below] * (1 - fraction) + specular_[below + 1] * fraction;
   }
+  vec3 light_direction(int i) const { return lights_[static_cast<std::size_t>(i)].direction; }
+  vec3 light_irradiance(int i) const { return lights_[static_cast<std::size_t>(i)].irradiance; }
   vec3 environment_radiance(const vec3& d) const { return environment_(d); }
   bool environment_is_drawn() const { return environment_.is_drawn(); }
   real environment_pdf(const vec3& d) const { return environment_.pdf(d); }
@@ -93,9 +99,11 @@ class LitSurface {
   const Brdf& brdf_;
   const SpecularTable& specular_;
   const Environment& environment_;
+  std::span<const DistantLight> lights_;
   // NOLINTBEGIN(readability-identifier-naming): the names of the text
   vec3 tangent, bitangent, normal;
   real shift_a = 0.5F, shift_b = 0.5F;
+  int light_count = 0;
   // NOLINTEND(readability-identifier-naming)
 };
 

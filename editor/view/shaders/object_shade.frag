@@ -3,9 +3,6 @@ uniform sampler2D normals;
 uniform vec2 size;
 uniform vec2 shift;  // of the pass, in pixels
 uniform vec3 view_forward, view_right, view_up;  // the last two are half the image plane at distance 1
-uniform int light_count;
-uniform vec3 light_directions[3];
-uniform vec3 light_irradiance[3];
 uniform int first_sample;
 uniform int samples;    // of the environment; 0: none
 uniform float weight;   // of what the environment adds
@@ -26,8 +23,7 @@ void main() {
     shift_a = part_above_floor(0.7548776662 * x + 0.5698402910 * y);
     shift_b = part_above_floor(0.8191725134 * x + 0.6710436067 * y);
   }
-  vec3 sum = vec3(0);
-  for (int i = 0; i < light_count; ++i) sum += light_radiance(u, light_directions[i], light_irradiance[i]);
-  if (samples > 0) sum += (environment_sum(u, first_sample, samples) / float(samples) + specular_radiance(u)) * weight;
+  vec3 sum = reflected_radiance(u, first_sample, samples, weight);
+  if (samples > 0) sum += specular_radiance(u) * weight;
   result = vec4(sum, opacity);
 }

@@ -93,18 +93,15 @@ Rgb reflected_radiance(const LitBrdf& brdf, const Lighting& lighting, const Vec3
   // Noise is only needed where the environment may have details that few directions would repeat.
   const PixelShift shift = lighting.environment.kind == Environment::Kind::Map ? pixel_shift : PixelShift();
   using Surface = reflectance::LitSurface<Environment>;
-  Surface surface(brdf.brdf, brdf.specular, lighting.environment);
+  Surface surface(brdf.brdf, brdf.specular, lighting.environment, lighting.lights);
   surface.place(normal, shift.first, shift.second);
   const Vec3f u = surface.eye_from(to_eye);
-  Rgb sum(0);
-  for (const reflectance::DistantLight& light : lighting.lights) sum += surface.due_to_light(u, light);
+  Rgb sum = surface.reflected(u, 0, 0);
   if (lighting.environment.kind == Environment::Kind::None || count <= 0) return sum;
   for (const EnvironmentPart& part : brdf.parts) {
     Surface reflecting(part.brdf, part.specular, lighting.environment);
     reflecting.place(normal, shift.first, shift.second);
-    sum += (reflecting.environment_estimates(u, first, count) / static_cast<float>(count) +
-            reflecting.specular(u)) *
-           part.weight;
+    sum += (reflecting.reflected(u, first, count) + reflecting.specular(u)) * part.weight;
   }
   return sum;
 }
