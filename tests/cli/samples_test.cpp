@@ -206,36 +206,6 @@ TEST(Garden, SaysWhenItsCommandLineIsBad) {
   EXPECT_EQ(test::run({GRANADA_BIN_DIR "/make_garden", "/no/such/folder"}).exit_code, 1);
 }
 
-/// The mean over pixels and channels of a small render of the garden.
-double light_of_garden(const std::string& left_out) {
-  const test::TemporaryFolder folder;
-  const std::string image = folder.path("image.exr");
-  const auto outcome =
-      test::run({GRANADA_BIN_DIR "/bpt", "render", Samples + "garden/garden.op", "--size", "160x107",
-                 "--samples", "128", "--seed", "7000", "--without", left_out, "--output", image});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  grf::Diagnostics diagnostics;
-  const auto read = image::read_image(image, diagnostics);
-  if (!read) return 0;
-  double sum = 0;
-  for (const auto& pixel : read->pixels) sum += static_cast<double>(pixel.x) + pixel.y + pixel.z;
-  return sum / (3.0 * static_cast<double>(read->pixels.size()));
-}
-
-// The manual's example of what may be left out: separate renders lose as much as the measurement says.
-TEST(Garden, LosesAsMuchLightAsTheManualSays) {
-  const std::string manual = test::bytes_of(GRANADA_SOURCE_DIR "/editor/MANUAL.md");
-  const double full = light_of_garden("none");
-  for (const std::string name :
-       {"environment", "diffuse_interreflection", "glossy_interreflection", "textures", "vertex_colours"}) {
-    const std::string start = "| `" + name + "` | ";
-    const std::size_t at = manual.find(start);
-    ASSERT_NE(at, std::string::npos) << name;
-    const double told = std::stod(manual.substr(at + start.size()));
-    EXPECT_NEAR(100 * (1 - light_of_garden(name) / full), told, told < 0 ? 0.5 : 0.15) << name;
-  }
-}
-
 TEST(Gallery, HasTheShapesThatItsProgramMakes) {
   const test::TemporaryFolder folder;
   ASSERT_EQ(test::run({GRANADA_BIN_DIR "/make_gallery", folder.path()}).exit_code, 0);
