@@ -262,6 +262,12 @@ bool Parser::fail_too_deep(const SourceLocation& location) {
 
 bool Parser::parse_body(const Token& opening, BlockList& body) {
   if (!expect("begin", "and the blocks inside")) return false;
+  if (at("mesh") && !at("mesh", "light")) {
+    error(lexer_.peek(), fmt::format("the 'begin' before this 'mesh' opens the block of '{}': write 'begin' "
+                                     "once more, for the mesh",
+                                     opening.text));
+    return false;
+  }
   if (context_.nesting >= DeepestNesting) return fail_too_deep(lexer_.location(opening));
   ++context_.nesting;
   body = parse_blocks(&opening);
