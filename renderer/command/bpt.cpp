@@ -175,8 +175,10 @@ void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
     CLI::App* command = brdf->add_subcommand(name, meaning);
     if (has_instance) {
       command
-          ->add_option("INSTANCE", arguments.instance,
-                       "a BRDF such as \"ward sx=0.2 ks=0.4\", or a file that holds one")
+          ->add_option(
+              "INSTANCE", arguments.instance,
+              "a BRDF such as \"ward sx=0.2 ks=0.4\", a file that holds one, or the name of one that a "
+              "scene defines, such as scene.grf:varnish")
           ->required();
     }
     command->add_flag("--json", arguments.json, "print one JSON object");

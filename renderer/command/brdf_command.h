@@ -10,7 +10,7 @@
 namespace command {
 
 struct BrdfArguments {
-  std::string instance;  ///< `ward sx=0.2`, or the name of a file that holds one
+  std::string instance;  ///< see studies::read_instance
   std::string view;      ///< view direction, `theta,phi` in radians; phi may be left out
   std::string light;     ///< light direction, likewise
   std::string output;

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <filesystem>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,12 +16,48 @@
 namespace studies {
 namespace {
 
-std::optional<grf::BrdfModel> read_model(const std::string& instance, grf::Diagnostics& diagnostics) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(instance, error))
-    return grf::read_brdf(instance, "BRDF", diagnostics);
-  const auto bytes = grf::read_file(instance, diagnostics);
-  return bytes ? grf::read_brdf(*bytes, instance, diagnostics) : std::nullopt;
+/// A BRDF and the definitions that it needs.
+struct Instance {
+  grf::BrdfModel model;
+  std::vector<grf::Definition> definitions;
+};
+
+std::optional<Instance> without_definitions(std::optional<grf::BrdfModel> model) {
+  if (!model) return std::nullopt;
+  return Instance{*std::move(model), {}};
+}
+
+std::optional<Instance> read_definition(const std::string& path, const std::string& name,
+                                        grf::Diagnostics& diagnostics) {
+  const auto scene = grf::read(path, diagnostics);
+  if (!scene) return std::nullopt;
+  std::optional<Instance> found;
+  grf::SceneVisitor visitor;
+  visitor.definition = [&](const grf::Definition& definition, const grf::Placement& placement) {
+    const auto* model = std::get_if<grf::BrdfModel>(&definition.body);
+    if (found || model == nullptr || definition.name != name) return;
+    std::vector<std::string> names;
+    for (const grf::CombineTerm& term : model->terms) names.push_back(term.brdf.name);
+    found = Instance{*model, grf::definitions_needed(names, placement.scope)};
+  };
+  grf::visit(*scene, visitor, path);
+  if (!found) diagnostics.error({}, fmt::format("{} defines no BRDF called '{}'", path, name));
+  return found;
+}
+
+std::optional<Instance> read_model(const std::string& instance, grf::Diagnostics& diagnostics) {
+  const auto is_file = [](const std::string& path) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error);
+  };
+  if (is_file(instance)) {
+    const auto bytes = grf::read_file(instance, diagnostics);
+    return bytes ? without_definitions(grf::read_brdf(*bytes, instance, diagnostics)) : std::nullopt;
+  }
+  const std::size_t colon = instance.rfind(':');
+  if (colon != std::string::npos && is_file(instance.substr(0, colon)))
+    return read_definition(instance.substr(0, colon), instance.substr(colon + 1), diagnostics);
+  return without_definitions(grf::read_brdf(instance, "BRDF", diagnostics));
 }
 
 }  // namespace
@@ -59,21 +97,22 @@ SampledInstance sampled_instance(const grf::BrdfModel& model, const reflectance:
 
 std::optional<reflectance::Reflector> read_instance(const std::string& instance,
                                                     grf::Diagnostics& diagnostics) {
-  const auto model = read_model(instance, diagnostics);
-  const auto brdf = model ? make_brdf(*model, diagnostics) : std::nullopt;
+  const auto named = read_model(instance, diagnostics);
+  const auto brdf = named ? make_brdf(named->model, diagnostics, named->definitions) : std::nullopt;
   if (!brdf) return std::nullopt;
   return reflectance::Reflector(*brdf, reflectance::OwnScheme());
 }
 
 std::optional<SampledInstance> read_sampled_instance(const std::string& instance, const std::string& pdf,
                                                      grf::Diagnostics& diagnostics) {
-  const auto model = read_model(instance, diagnostics);
-  const auto brdf = model ? make_brdf(*model, diagnostics) : std::nullopt;
+  const auto named = read_model(instance, diagnostics);
+  const auto brdf = named ? make_brdf(named->model, diagnostics, named->definitions) : std::nullopt;
   if (!brdf) return std::nullopt;
   const auto pdf_model = grf::read_pdf(pdf, "PDF", diagnostics);
-  const auto scheme = pdf_model ? make_scheme(*pdf_model, *brdf, model->keyword, diagnostics) : std::nullopt;
+  const auto scheme =
+      pdf_model ? make_scheme(*pdf_model, *brdf, named->model.keyword, diagnostics) : std::nullopt;
   if (!scheme) return std::nullopt;
-  return sampled_instance(*model, *brdf, *scheme);
+  return sampled_instance(named->model, *brdf, *scheme);
 }
 
 }  // namespace studies

@@ -22,8 +22,9 @@ std::optional<reflectance::Scheme> make_scheme(const grf::PdfModel& model, const
                                                const std::string& brdf_keyword,
                                                grf::Diagnostics& diagnostics);
 
-/// Reads a BRDF from a text such as `ward sx=0.2`, or from the file of that name, with its own sampler.
-/// Returns nothing after an error.
+/// Reads a BRDF from a text such as `ward sx=0.2`, from the file of that name, or, if the text is
+/// `scene.grf:NAME`, from the first definition of that name in a scene; with its own sampler. Returns nothing
+/// after an error.
 std::optional<reflectance::Reflector> read_instance(const std::string& instance,
                                                     grf::Diagnostics& diagnostics);
 
@@ -34,8 +35,8 @@ struct SampledInstance {
   double build_seconds = 0;  ///< build time of the scheme's tables
 };
 
-/// Reads a BRDF and a sampling scheme from texts such as `ward sx=0.2` and `hemisphere exp=20`. Returns
-/// nothing after an error in either, or if the scheme does not support the BRDF.
+/// Reads a BRDF likewise, and a sampling scheme from a text such as `hemisphere exp=20`. Returns nothing
+/// after an error in either, or if the scheme does not support the BRDF.
 std::optional<SampledInstance> read_sampled_instance(const std::string& instance, const std::string& pdf,
                                                      grf::Diagnostics& diagnostics);
 

@@ -234,4 +234,24 @@ TEST_F(BptBrdf, RefusesToExportWhatTheFormatCannotHold) {
   EXPECT_TRUE(folder_.names().empty());
 }
 
+// A sum of diffuse BRDFs is the sum of their kd over pi; inner definitions hide outer ones.
+TEST_F(BptBrdf, EvaluatesABrdfThatASceneDefines) {
+  const std::string scene =
+      folder_.add("scene.grf",
+                  "def a = brdf diffuse kd=0.6 both = brdf combine 0.5 a, 0.25 a\n"
+                  "begin\n"
+                  "  def a = brdf diffuse kd=0.2 inner = brdf combine 0.5 a, 0.25 both\n"
+                  "  begin\n"
+                  "  end\n"
+                  "end\n");
+  const auto value = [&](const std::string& name) {
+    return json({"eval", scene + ":" + name, "--u", "0.3,0", "--v", "0.5,2"})["values"][0][1].get<double>();
+  };
+  EXPECT_NEAR(value("a"), 0.6 / std::numbers::pi, 1e-6);
+  EXPECT_NEAR(value("both"), 0.75 * 0.6 / std::numbers::pi, 1e-6);
+  EXPECT_NEAR(value("inner"), (0.5 * 0.2 + 0.25 * 0.75 * 0.6) / std::numbers::pi, 1e-6);
+  expect_failure({"albedo", scene + ":none", "--u", "0.3"}, 1,
+                 "error: " + scene + " defines no BRDF called 'none'");
+}
+
 }  // namespace
