@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/reflectance/albedo.h"
+#include "tests/reflectance/random_walk.h"
 
 namespace {
 
@@ -71,70 +72,10 @@ TEST(Ggx, KnowsTheMeanOfWhatFacetsDoNotReflect) {
   }
 }
 
-/// A walk over the facets of a surface with uniformly distributed heights (Heitz, Hanika, d'Eon and
-/// Dachsbacher 2016, "Multiple-scattering microfacet BSDFs with the Smith model"): it reflects a ray until it
-/// leaves, and knows nothing of albedos. Directions point the way that the ray travels.
-class RandomWalk {
- public:
-  RandomWalk(double alpha, std::uint32_t seed) : alpha_(alpha), random_(seed) {}
-
-  /// Returns the factor that is left of the light and the number of bounces; `reflectance` is called with the
-  /// cosine at each facet.
-  template <class Reflectance>
-  std::pair<double, int> run(const V3d& u, Reflectance reflectance) {
-    V3d ray = -u;
-    double height = 1;
-    double left = 1;
-    for (int bounces = 0; bounces < 1000; ++bounces) {
-      const auto next = next_height(ray, height);
-      if (!next) return {left, bounces};
-      height = *next;
-      const V3d normal = visible_normal(-ray);
-      left *= reflectance(-ray.dot(normal));
-      ray = (ray - 2 * ray.dot(normal) * normal).normalized();
-    }
-    return {0, 1000};
-  }
-
- private:
-  double uniform() { return std::uniform_real_distribution<double>(0, 1)(random_); }
-
-  /// Smith's Lambda, for rays that rise or descend.
-  double lambda(const V3d& w) const {
-    const double slope = alpha_ * std::sqrt(std::max(0.0, 1 - w.z * w.z)) / std::abs(w.z);
-    return (std::copysign(std::sqrt(1 + slope * slope), w.z) - 1) / 2;
-  }
-
-  /// The height from -1 to 1 at which the ray meets a facet; nothing if it leaves.
-  std::optional<double> next_height(const V3d& ray, double height) {
-    const double below = (height + 1) / 2;
-    const double chance = uniform();
-    if (ray.z > 1 - 1e-9) return std::nullopt;
-    if (ray.z < -1 + 1e-9) return 2 * chance * below - 1;
-    if (std::abs(ray.z) < 1e-7) return height;
-    const double power = lambda(ray);
-    if (ray.z > 0 && chance > 1 - std::pow(below, power)) return std::nullopt;
-    return std::min(1.0, 2 * below / std::pow(1 - chance, 1 / power) - 1);
-  }
-
-  /// A facet's normal as seen from a direction, which may be below the surface (Dupuy and Benyoub 2023).
-  V3d visible_normal(const V3d& from) {
-    const V3d view = V3d(alpha_ * from.x, alpha_ * from.y, from.z).normalized();
-    const double angle = 2 * Pi * uniform();
-    const double z = (1 - uniform()) * (1 + view.z) - view.z;
-    const double radius = std::sqrt(std::max(0.0, 1 - z * z));
-    const V3d cap = V3d(radius * std::cos(angle), radius * std::sin(angle), z) + view;
-    return V3d(alpha_ * cap.x, alpha_ * cap.y, cap.z).normalized();
-  }
-
-  double alpha_;
-  std::mt19937 random_;
-};
-
 TEST(Ggx, LosesWhatARandomWalkReflectsMoreThanOnce) {
   constexpr int Walks = 100'000;
   for (const double alpha : {0.05, 0.2, 0.5, 1.0}) {
-    RandomWalk walk(alpha, 3);
+    test::RandomWalk walk(alpha, 3);
     for (const double angle : {1.0, 45.0, 75.0, 86.0}) {
       const V3d u(test::direction(angle, 0));
       int several = 0;
@@ -152,7 +93,7 @@ TEST(Ggx, ReflectsAsMuchAsARandomWalkOverAMetal) {
   constexpr double Real = 0.617;
   constexpr double Imaginary = 2.63;
   for (const double alpha : {0.1, 0.4, 0.8}) {
-    RandomWalk walk(alpha, 5);
+    test::RandomWalk walk(alpha, 5);
     Ggx copper = white(static_cast<float>(alpha), 0);
     copper.f0 = Rgb(0);
     copper.nreal = Rgb(static_cast<float>(Real));

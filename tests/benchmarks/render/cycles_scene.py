@@ -150,8 +150,13 @@ class GrfReader:
         while self.tokens[self.at + 1] == "=":
             parameter = self.next()
             self.expect("=")
-            parameters.append((parameter, tuple(self.vector()) if self.peek() == "(" else float(self.next())))
+            parameters.append((parameter, tuple(self.vector()) if self.peek() == "(" else self.value()))
         return keyword, tuple(parameters)
+
+    def value(self):
+        """A number, or a word."""
+        word = self.next()
+        return word if word.isalpha() else float(word)
 
     def light(self, placing):
         self.expect("begin", "rgb")
@@ -219,6 +224,24 @@ def set_colour(nodes, links, socket, colour, tint):
         links.new(product.outputs[0], socket)
 
 
+def add_ggx(nodes, parameters):
+    """Returns the closure of GGX facets: glossy if they are white, else principled. The fresnel of principled is that
+    of a dielectric; for metals it is scaled to go from F0 to 1, and water's is the nearest to Schlick's."""
+    f0 = colour_of(parameters.get("F0", 0.0))
+    node = nodes.new("ShaderNodeBsdfGlossy" if f0[:3] == (1, 1, 1) else "ShaderNodeBsdfPrincipled")
+    node.distribution = "GGX" if parameters.get("scattering") == "single" else "MULTI_GGX"
+    node.inputs["Roughness"].default_value = math.sqrt(parameters["alpha"])  # Cycles squares it
+    if f0[:3] == (1, 1, 1):
+        node.inputs["Color"].default_value = f0
+        return node.outputs[0]
+    is_metal = any(channel > 0 for channel in f0[:3])
+    ior = 1.33 if is_metal else parameters["nreal"]
+    node.inputs["Base Color"].default_value = f0
+    node.inputs["Metallic"].default_value = 1 if is_metal else 0
+    node.inputs["Specular"].default_value = reflectance_at_normal(ior, 0) / 0.08  # Cycles' own scale
+    return node.outputs[0]
+
+
 def add_brdf(nodes, links, brdf, tint):
     """Returns the output socket of a BRDF's closure."""
     if not isinstance(brdf[0], str):
@@ -231,6 +254,8 @@ def add_brdf(nodes, links, brdf, tint):
         node = nodes.new("ShaderNodeBsdfDiffuse")
         set_colour(nodes, links, node.inputs["Color"], colour_of(parameters["kd"]), tint)
         return node.outputs[0]
+    if keyword == "ggx":
+        return add_ggx(nodes, parameters)
     if keyword != "torrance" or parameters["kd"] != 0:
         raise ValueError(f"no node for {keyword}")
     node = nodes.new("ShaderNodeBsdfGlossy")

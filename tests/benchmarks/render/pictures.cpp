@@ -17,12 +17,20 @@ Image read_picture(const std::filesystem::path& path) {
 }
 
 void write_side_by_side(const std::vector<Image>& images, const std::filesystem::path& path) {
-  Image all{0, images.front().height, {}};
-  for (const Image& image : images) all.width += image.width;
-  for (int y = 0; y < all.height; ++y) {
-    for (const Image& image : images) {
-      const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
-      all.pixels.insert(all.pixels.end(), row, row + image.width);
+  write_grid({images}, path);
+}
+
+void write_grid(const std::vector<std::vector<Image>>& rows, const std::filesystem::path& path) {
+  Image all{0, 0, {}};
+  for (const Image& image : rows.front()) all.width += image.width;
+  for (const std::vector<Image>& images : rows) {
+    const int height = images.front().height;
+    all.height += height;
+    for (int y = 0; y < height; ++y) {
+      for (const Image& image : images) {
+        const auto row = image.pixels.begin() + static_cast<std::ptrdiff_t>(y) * image.width;
+        all.pixels.insert(all.pixels.end(), row, row + image.width);
+      }
     }
   }
   grf::Diagnostics diagnostics;

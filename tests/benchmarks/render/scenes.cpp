@@ -151,4 +151,17 @@ std::vector<SceneFiles> make_artefact_scenes(const fs::path& folder) {
           make_scene(folder / "contact", sources / "contact", {}, false)};
 }
 
+SceneFiles make_material_scene(const fs::path& folder, const std::string& definition, bool is_in_white) {
+  const fs::path source = GRANADA_SOURCE_DIR "/tests/benchmarks/render/materials/material";
+  auto scene = make_scene(folder, source, {{"sphere", 20'000, "material"}}, false);
+  write(folder / "material.grf", definition + "\nbegin\n  include \"sphere.grf\"\nend\n");
+  if (is_in_white) {
+    write_picture(folder / "surroundings.exr", {8, 4, std::vector<grf::Colour>(32, grf::Colour(1))});
+  } else {
+    fs::copy_file(GRANADA_SOURCE_DIR "/samples/environments/studio.exr", folder / "surroundings.exr",
+                  fs::copy_options::overwrite_existing);
+  }
+  return scene;
+}
+
 }  // namespace benchmark

@@ -23,4 +23,10 @@ std::vector<SceneFiles> make_scenes(const std::filesystem::path& folder, bool sm
 /// fine one in its place, `closed_room` and `contact`. Throws if a file cannot be written.
 std::vector<SceneFiles> make_artefact_scenes(const std::filesystem::path& folder);
 
+/// Makes a scene in a folder: a sphere of radius 1 of the BRDF `material`, whose definition is GRF text, seen
+/// from far, in the studio of samples/environments or in white surroundings; the image shows 1.1 times the
+/// sphere. Throws if a file cannot be written.
+SceneFiles make_material_scene(const std::filesystem::path& folder, const std::string& definition,
+                               bool is_in_white);
+
 }  // namespace benchmark
