@@ -37,7 +37,7 @@ constexpr double TailPixelsPower = 0.2;         ///< and with the number of touc
 constexpr double FewTouchedPixels = 0.3;        ///< below which that number counts as this
 constexpr double ManyTouchedPixels = 60;        ///< above which it counts as this: the tail is sampled then
 constexpr double UnseenPart = 0.5;              ///< of the error of pixels without hits, in most images
-constexpr double TouchedPart = 0.47;            ///< of the touched pixels' errors, which may be missing
+constexpr double TouchedPart = 0.6;             ///< of the touched pixels' errors, which may be missing
 constexpr double UntouchedPart = 1.4;           ///< of the contrast of untouched pixels
 constexpr double EdgeSquares = 3;  ///< of edge pixels' squares: the tails of a binomial distribution
 
