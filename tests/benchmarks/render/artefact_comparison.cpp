@@ -2,7 +2,6 @@
 // tests/benchmarks/README.md.
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <functional>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "renderer/reflectance/geometry.h"
+#include "tests/benchmarks/render/command_line.h"
 #include "tests/benchmarks/render/pictures.h"
 #include "tests/benchmarks/render/renderers.h"
 #include "tests/benchmarks/render/scenes.h"
@@ -140,15 +140,5 @@ int main(int argc, char** argv) {
   app.add_option("--size", arguments.size, "width and height, pixels")->check(CLI::Range(8, 8192));
   app.add_option("--samples", arguments.samples, "samples per pixel")->check(CLI::Range(1, 1'000'000));
   app.add_option("--threads", arguments.threads)->check(CLI::Range(1, 1024));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
-    return run(arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    return 1;
-  }
+  return benchmark::run_command_line(app, argc, argv, [&] { return run(arguments); });
 }

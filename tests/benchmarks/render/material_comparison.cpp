@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "tests/benchmarks/render/command_line.h"
 #include "tests/benchmarks/render/materials.h"
 #include "tests/benchmarks/render/pictures.h"
 #include "tests/benchmarks/render/renderers.h"
@@ -100,9 +100,7 @@ bool compare_in_white(const Arguments& arguments) {
 }
 
 int run(const Arguments& arguments) {
-  const auto version = benchmark::blender_version();
-  if (!version) throw std::runtime_error("Blender is not installed: apt-get install blender python3-numpy");
-  fmt::print("{}\n\n", *version);
+  fmt::print("{}\n\n", benchmark::required_blender_version());
   const bool agree_in_studio = compare_in_studio(arguments);
   const bool agree_in_white = compare_in_white(arguments);
   return agree_in_studio && agree_in_white ? 0 : 1;
@@ -122,15 +120,5 @@ int main(int argc, char** argv) {
   app.add_option("--materials", arguments.names, "names of materials, all if omitted")->delimiter(',');
   app.add_option("--scale-tolerances", arguments.scale, "factor of all tolerances")
       ->check(CLI::Range(0.0, 1e3));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
-    return run(arguments);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    return 1;
-  }
+  return benchmark::run_command_line(app, argc, argv, [&] { return run(arguments); });
 }

@@ -1,7 +1,7 @@
 // Renders the benchmark's scenes with bpt, and on request with Blender's Cycles in turn, and reports
 // their speed and accuracy: see tests/benchmarks/README.md.
 #include <algorithm>
-#include <exception>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "grf/text_file.h"
+#include "tests/benchmarks/render/command_line.h"
 #include "tests/benchmarks/render/report.h"
 
 namespace {
@@ -83,9 +84,7 @@ int run(Arguments arguments) {
   settings.measures_embree = !arguments.without_embree;
   settings.renderers = {benchmark::Renderer::Bpt};
   if (arguments.cycles) {
-    const auto version = benchmark::blender_version();
-    if (!version) throw std::runtime_error("Blender is not installed: apt-get install blender python3-numpy");
-    fmt::print("{}\n", *version);
+    fmt::print("{}\n", benchmark::required_blender_version());
     settings.renderers.push_back(benchmark::Renderer::Cycles);
   }
   const auto scenes =
@@ -107,15 +106,5 @@ int main(int argc, char** argv) {
   CLI::App app("Measures bpt on the benchmark's scenes");
   Arguments arguments;
   add_options(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
-  try {
-    return run(std::move(arguments));
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    return 1;
-  }
+  return benchmark::run_command_line(app, argc, argv, [&] { return run(std::move(arguments)); });
 }

@@ -118,4 +118,10 @@ std::optional<std::string> blender_version() {
   return out.substr(0, out.find('\n'));
 }
 
+std::string required_blender_version() {
+  const auto version = blender_version();
+  if (!version) throw std::runtime_error("Blender is not installed: apt-get install blender python3-numpy");
+  return *version;
+}
+
 }  // namespace benchmark

@@ -55,4 +55,7 @@ Outcome render(Renderer renderer, const Job& job);
 /// The first line of `blender --version`; empty if it is not installed.
 std::optional<std::string> blender_version();
 
+/// The version as `blender_version` gives it. Throws std::runtime_error if Blender is not installed.
+std::string required_blender_version();
+
 }  // namespace benchmark
