@@ -191,6 +191,11 @@ void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
           "view direction, in radians; without it, lines of four angles are read from standard input")
       ->type_name("THETA,PHI");
   eval->add_option("--v", arguments.light, "light direction, in radians")->type_name("THETA,PHI");
+  eval->add_option("--wavelengths", arguments.wavelengths,
+                   "wavelengths in nm to evaluate he, westin, thinfilm or spectral rgl data at (their own)")
+      ->type_name("NM,...")
+      ->delimiter(',')
+      ->check(CLI::Range(1.0, 1e6));
   CLI::App* albedo = add_command("albedo", "Compute the directional albedo", true);
   albedo->add_option("--u", arguments.view, "view direction, in radians")
       ->type_name("THETA[,PHI]")

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -25,6 +26,7 @@
 #include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/merl_table.h"
 #include "renderer/reflectance/scheme.h"
+#include "renderer/reflectance/spectrum.h"
 #include "renderer/studies/brdf_instance.h"
 #include "renderer/studies/study.h"
 
@@ -47,17 +49,17 @@ std::optional<Vec3f> direction_option(const std::string& text, const char* optio
   return angles ? std::optional(direction_of(*angles)) : std::nullopt;
 }
 
-/// Values of a BRDF in RGB and, where its data have wavelengths, at each of those.
+/// Values of a BRDF in RGB and, where it has them, at wavelengths.
 class ValueList {
  public:
-  explicit ValueList(const Reflector& reflector)
-      : reflector_(reflector), rgl_(std::get_if<reflectance::Rgl>(&reflector.brdf())) {
-    if (rgl_ != nullptr && rgl_->data->wavelengths().empty()) rgl_ = nullptr;
-  }
+  ValueList(const Reflector& reflector, std::vector<float> wavelengths)
+      : reflector_(reflector), wavelengths_(std::move(wavelengths)) {}
 
   void add(const Vec3f& u, const Vec3f& v) {
     values_.push_back(reflector_.evaluate(u, v));
-    if (rgl_ != nullptr) spectra_.push_back(rgl_->data->spectrum(Imath::V3d(u), Imath::V3d(v)));
+    if (wavelengths_.empty()) return;
+    spectra_.push_back(
+        reflectance::spectrum_of(reflector_.brdf(), Imath::V3d(u), Imath::V3d(v), wavelengths_));
   }
 
   void print(bool json) const { json ? print_json() : print_lines(); }
@@ -67,30 +69,43 @@ class ValueList {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Rgb& value : values_) list.push_back(json_array(value));
     nlohmann::ordered_json all = {{"values", list}};
-    if (rgl_ != nullptr) {
-      all["wavelengths"] = rgl_->data->wavelengths();
+    if (!wavelengths_.empty()) {
+      all["wavelengths"] = wavelengths_;
       all["spectra"] = spectra_;
     }
     fmt::print("{}\n", json_text(all, true));
   }
 
   void print_lines() const {
-    if (rgl_ != nullptr) fmt::print("# R G B and {} nm\n", fmt::join(rgl_->data->wavelengths(), " "));
+    if (!wavelengths_.empty()) fmt::print("# R G B and {:.6g} nm\n", fmt::join(wavelengths_, " "));
     for (std::size_t i = 0; i < values_.size(); ++i) {
       fmt::print("{} {} {}", values_[i].x, values_[i].y, values_[i].z);
-      if (rgl_ != nullptr) fmt::print(" {:.7g}", fmt::join(spectra_[i], " "));
+      if (!wavelengths_.empty()) fmt::print(" {:.7g}", fmt::join(spectra_[i], " "));
       fmt::print("\n");
     }
   }
 
   const Reflector& reflector_;
-  const reflectance::Rgl* rgl_ = nullptr;  ///< null without wavelengths
+  std::vector<float> wavelengths_;  ///< in nanometres; empty: RGB alone
   std::vector<Rgb> values_;
   std::vector<std::vector<double>> spectra_;
 };
 
-ExitCode evaluate_lines(const Reflector& reflector, bool json) {
-  ValueList values(reflector);
+/// Returns the wavelengths to evaluate: those asked for, or the BRDF's own. Nothing, after an error, if some
+/// are asked for of a BRDF that has RGB alone.
+std::optional<std::vector<float>> wavelengths_for(const Reflector& reflector,
+                                                  const BrdfArguments& arguments) {
+  std::vector<float> own = reflectance::wavelengths_of(reflector.brdf());
+  if (arguments.wavelengths.empty()) return own;
+  if (!own.empty()) return arguments.wavelengths;
+  fmt::print(stderr,
+             "error: --wavelengths: this BRDF has values in RGB alone; 'he', 'westin', 'thinfilm' and 'rgl' "
+             "files with spectra have wavelengths\n");
+  return std::nullopt;
+}
+
+ExitCode evaluate_lines(const Reflector& reflector, std::vector<float> wavelengths, bool json) {
+  ValueList values(reflector, std::move(wavelengths));
   std::string line;
   for (std::size_t number = 1; std::getline(std::cin, line); ++number) {
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
@@ -217,11 +232,14 @@ ExitCode list_brdfs(const BrdfArguments& arguments) {
 ExitCode evaluate_brdf(const BrdfArguments& arguments) {
   const auto reflector = reflector_of(arguments);
   if (!reflector) return ExitCode::BadInput;
-  if (arguments.view.empty() && arguments.light.empty()) return evaluate_lines(*reflector, arguments.json);
+  const auto wavelengths = wavelengths_for(*reflector, arguments);
+  if (!wavelengths) return ExitCode::BadCommandLine;
+  if (arguments.view.empty() && arguments.light.empty())
+    return evaluate_lines(*reflector, *wavelengths, arguments.json);
   const auto u = direction_option(arguments.view, "--u");
   const auto v = direction_option(arguments.light, "--v");
   if (!u || !v) return ExitCode::BadCommandLine;
-  ValueList values(*reflector);
+  ValueList values(*reflector, *wavelengths);
   values.add(*u, *v);
   values.print(arguments.json);
   return ExitCode::Done;

@@ -10,9 +10,10 @@
 namespace command {
 
 struct BrdfArguments {
-  std::string instance;  ///< see studies::read_instance
-  std::string view;      ///< view direction, `theta,phi` in radians; phi may be left out
-  std::string light;     ///< light direction, likewise
+  std::string instance;            ///< see studies::read_instance
+  std::string view;                ///< view direction, `theta,phi` in radians; phi may be left out
+  std::string light;               ///< light direction, likewise
+  std::vector<float> wavelengths;  ///< for `eval`, in nanometres; empty: those of the BRDF, if it has any
   std::string output;
   std::string pdf;                 ///< a sampling scheme, `hemisphere exp=20`
   std::vector<std::string> views;  ///< for `plot`: `theta,phi` each; empty: 0, 45 and 80 degrees
@@ -26,7 +27,7 @@ struct BrdfArguments {
 grf::ExitCode list_brdfs(const BrdfArguments& arguments);
 
 /// Evaluates the BRDF, in 1/sr, for one pair of directions, or for each line `theta_u phi_u theta_v phi_v` of
-/// standard input.
+/// standard input: in RGB and, if the model or data have them, at wavelengths.
 grf::ExitCode evaluate_brdf(const BrdfArguments& arguments);
 
 /// Prints the directional albedo for a view direction.

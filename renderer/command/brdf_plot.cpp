@@ -1,6 +1,6 @@
 #include "renderer/command/brdf_plot.h"
 
-#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "renderer/command/lit_sphere.h"
@@ -14,18 +14,21 @@ using reflectance::Reflector;
 
 constexpr double Width = 980;
 constexpr double Height = 660;
+constexpr double SpectrumHeight = 300;
+constexpr std::array<double, 4> Views = {0, 30, 60, 80};
 constexpr int SphereSide = 200;
 
 std::vector<plot::LobeCurve> lobe_curves(const Reflector& reflector) {
   std::vector<plot::LobeCurve> curves;
-  for (const double view : {0, 30, 60, 80}) curves.push_back(plot::lobe_curve(reflector.brdf(), view));
+  for (const double view : Views) curves.push_back(plot::lobe_curve(reflector.brdf(), view));
   return curves;
 }
 
 }  // namespace
 
 plot::Svg picture_of(const Reflector& reflector, const std::string& title) {
-  plot::Svg svg(Width, Height);
+  const auto spectrum = plot::spectrum_chart(reflector.brdf(), Views);
+  plot::Svg svg(Width, Height + (spectrum ? SpectrumHeight : 0));
   svg.text({20, 30}, title, {plot::fitting_size(17, title, Width - 40), "#111", plot::Anchor::Start, 0});
   constexpr int Samples = 4096;
   const std::vector<plot::LobeCurve> curves = lobe_curves(reflector);
@@ -34,6 +37,7 @@ plot::Svg picture_of(const Reflector& reflector, const std::string& title) {
   draw(albedo_chart(plot::albedo_curve(reflector, Samples)), {{20, 350}, 460, 290}, svg);
   svg.text({562, 364}, "Sphere, under a bright window and a dim sky", {13, "#111", plot::Anchor::Start, 0});
   svg.image({600, 385}, 220, 220, image::encode_png({lit_sphere(reflector, SphereSide)}));
+  if (spectrum) draw(*spectrum, {{20, Height}, 460, SpectrumHeight - 20}, svg);
   return svg;
 }
 

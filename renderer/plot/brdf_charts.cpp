@@ -11,6 +11,7 @@
 #include "renderer/parallel/loops.h"
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/light_angles.h"
+#include "renderer/reflectance/spectrum.h"
 
 namespace plot {
 namespace {
@@ -220,6 +221,33 @@ Chart albedo_chart(const AlbedoCurve& curve) {
   if (largest > 1.002) {
     chart.title += fmt::format(": up to {:.3g}, above 1", largest);
     chart.series.push_back({{}, {Point(0, 1), Point(90, 1)}, "#111", "2 3"});
+  }
+  return chart;
+}
+
+std::optional<Chart> spectrum_chart(const reflectance::Brdf& brdf, std::span<const double> views) {
+  std::vector<float> wavelengths = reflectance::wavelengths_of(brdf);
+  if (wavelengths.empty()) return std::nullopt;
+  const bool is_data = std::holds_alternative<reflectance::Rgl>(brdf);
+  if (!is_data) {
+    wavelengths.clear();
+    for (int nanometres = 380; nanometres <= 780; nanometres += 4) {
+      wavelengths.push_back(static_cast<float>(nanometres));
+    }
+  }
+  Chart chart;
+  chart.title = "Spectrum in the mirror direction";
+  chart.x.label = "wavelength in nm";
+  chart.y.label = "f in 1/sr";
+  chart.y.is_logarithmic = true;
+  for (const double view : views) {
+    const auto values = reflectance::spectrum_of(brdf, Imath::V3d(direction_at(-view)),
+                                                 Imath::V3d(direction_at(view)), wavelengths);
+    Series& series = chart.series.emplace_back(Series{fmt::format("view {}\u00B0", view), {}, {}, {}});
+    series.has_marks = is_data;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      series.points.emplace_back(double(wavelengths[i]), values[i]);
+    }
   }
   return chart;
 }

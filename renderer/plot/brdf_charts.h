@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -64,5 +65,9 @@ PolarChart polar_lobe_chart(std::span<const LobeCurve> curves, const LobeStyle& 
 
 /// Makes a chart of each channel, or of one line if they are equal.
 Chart albedo_chart(const AlbedoCurve& curve);
+
+/// Makes a chart of the spectrum in the mirror direction of each of these view angles, in degrees. Nothing if
+/// the BRDF has RGB alone. Models are evaluated from 380 to 780 nm, data at their own wavelengths.
+std::optional<Chart> spectrum_chart(const reflectance::Brdf& brdf, std::span<const double> views);
 
 }  // namespace plot

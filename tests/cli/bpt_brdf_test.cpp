@@ -67,6 +67,18 @@ TEST_F(BptBrdf, EvaluatesWavelengthsWhereDataHaveThem) {
       json({"eval", "rgl \"" + folder + "matte.bsdf\"", "--u", "0.3", "--v", "0.4,3"}).contains("spectra"));
 }
 
+TEST_F(BptBrdf, EvaluatesTheWavelengthsThatAreAskedFor) {
+  const std::string smooth = "westin ks=0 kd=(0.8, 0.4, 0.2) lambda=(650, 550, 450)";
+  const auto values = json({"eval", smooth, "--u", "0.3", "--v", "0.4,3", "--wavelengths", "500,650"});
+  EXPECT_EQ(values["wavelengths"], (std::vector<double>{500, 650}));
+  EXPECT_NEAR(values["spectra"][0][0].get<double>() * std::numbers::pi, 0.3, 1e-6);
+  EXPECT_NEAR(values["spectra"][0][1].get<double>() * std::numbers::pi, 0.8, 1e-6);
+  EXPECT_EQ(json({"eval", smooth, "--u", "0.3", "--v", "0.4,3"})["wavelengths"],
+            (std::vector<double>{450, 550, 650}));
+  expect_failure({"eval", "ggx", "--u", "0", "--v", "0", "--wavelengths", "500"}, 2, "RGB alone");
+  expect_failure({"eval", smooth, "--u", "0", "--v", "0", "--wavelengths", "-5"}, 2, "--wavelengths");
+}
+
 TEST_F(BptBrdf, EvaluatesOnePair) {
   EXPECT_EQ(out({"eval", "diffuse kd=(1, 0.5, 0)", "--u", "0,0", "--v", "0.5,1"}),
             "0.31830987 0.15915494 0\n");

@@ -1,5 +1,6 @@
 #include "renderer/plot/brdf_charts.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -90,6 +91,24 @@ TEST(LobeChart, HasDensitiesInTheColoursOfTheirViews) {
   EXPECT_FALSE(chart.series[2].dashes.empty());
   EXPECT_EQ(chart.series[2].points[9].y,
             reflector.pdf(direction_at(-30), direction_at(curves[1].degrees[9])));
+}
+
+TEST(SpectrumChart, IsOfBrdfsWithWavelengths) {
+  EXPECT_FALSE(spectrum_chart(brdf_of("ward sx=0.2"), std::array{0.0}));
+  const std::array views = {0.0, 60.0};
+  const auto chart = spectrum_chart(brdf_of("he sigma=0.2 tau=2 kd=0.1"), views);
+  ASSERT_TRUE(chart);
+  ASSERT_EQ(chart->series.size(), 2U);
+  EXPECT_EQ(chart->series[1].name, "view 60\u00B0");
+  const Series& series = chart->series[1];
+  EXPECT_EQ(series.points.front().x, 380);
+  EXPECT_EQ(series.points.back().x, 780);
+  for (const Point& point : series.points) {
+    if (point.x != 500) continue;
+    const auto single = brdf_of("he sigma=0.2 tau=2 kd=0.1 lambda=500");
+    EXPECT_NEAR(point.y, reflectance::evaluate(single, direction_at(-60), direction_at(60)).x,
+                1e-3 * point.y);
+  }
 }
 
 TEST(PolarScale, HasRoundRingsUpToTheHighestValue) {
