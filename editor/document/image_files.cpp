@@ -5,10 +5,12 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <variant>
 
 #include "grf/text_file.h"
 #include "grf/visit.h"
+#include "renderer/image/image_file.h"
 
 namespace editor {
 namespace {
@@ -88,8 +90,9 @@ bool is_copied(const ImportFolder& folder, const std::string& from,
 }
 
 bool is_image(const QString& file) {
-  static const QStringList extensions = {"exr", "hdr", "pfm", "raw", "png", "jpg", "jpeg", "bmp", "tga"};
-  return extensions.contains(QFileInfo(file).suffix().toLower());
+  return std::ranges::any_of(image::ReadableExtensions, [&](std::string_view extension) {
+    return image::has_extension(file.toStdString(), extension);
+  });
 }
 
 }  // namespace editor

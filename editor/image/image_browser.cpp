@@ -53,7 +53,7 @@ ImageBrowser::ImageBrowser(QWidget* parent)
       values_(new QLabel),
       statistics_(new QLabel) {
   setAcceptDrops(true);
-  pane_->set_hint(tr("Drop an image here, open one, or render: exr, hdr, pfm, raw, png, jpg or tga."));
+  pane_->set_hint(tr("Drop an image here, open one, or render: exr, hdr, pfm, raw, png, jpg, tga or webp."));
   connect(pane_, &ImagePane::hovered, this, &ImageBrowser::show_pixel);
   connect_tools();
   lay_out();

@@ -81,7 +81,8 @@ QString pixel_text(const QPoint& pixel, const ShownImage& shown, const SharedIma
 }
 
 QString image_read_filter() {
-  return ImageBrowser::tr("Images (*.exr *.hdr *.pfm *.raw *.png *.jpg *.jpeg *.tga);;All files (*)");
+  return ImageBrowser::tr("Images (%1);;All files (*)")
+      .arg(QString::fromStdString(image::readable_name_patterns()));
 }
 
 QString image_write_filter() {

@@ -38,8 +38,8 @@ QAction* ImageTools::add_action(const QString& icon_name, const QString& text, c
 }
 
 void ImageTools::make_actions() {
-  open =
-      add_action("open", tr("Open images"), tr("Open image files: exr, hdr, pfm, raw, png, jpg or tga."), {});
+  open = add_action("open", tr("Open images"),
+                    tr("Open image files: exr, hdr, pfm, raw, png, jpg, tga or webp."), {});
   save = add_action(
       "save_as", tr("Save image as"),
       tr("Save image A: linear as exr, hdr, pfm and raw, with the exposure applied as png, jpg and tga."),

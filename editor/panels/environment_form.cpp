@@ -20,6 +20,7 @@
 #include "editor/document/op_document.h"
 #include "editor/panels/colour_fields.h"
 #include "editor/panels/sky_dialog.h"
+#include "renderer/image/image_file.h"
 
 namespace editor {
 namespace {
@@ -139,9 +140,9 @@ void EnvironmentForm::choose(int index) {
 
 void EnvironmentForm::choose_file() {
   const QString current = QString::fromStdString(render_options_.valid_options().environment);
-  const QString path =
-      QFileDialog::getOpenFileName(this, tr("Choose an environment map"), current,
-                                   tr("Images (*.exr *.hdr *.pfm *.raw *.png *.jpg *.tga);;All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Choose an environment map"), current,
+      tr("Images (%1);;All files (*)").arg(QString::fromStdString(image::readable_name_patterns())));
   if (!path.isEmpty()) set_environment(render_options_, path);
 }
 

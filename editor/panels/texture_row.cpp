@@ -16,6 +16,7 @@
 #include "editor/controls/form_widgets.h"
 #include "editor/document/texture_coordinates.h"
 #include "editor/panels/texture_preview.h"
+#include "renderer/image/image_file.h"
 
 namespace editor {
 namespace {
@@ -137,8 +138,9 @@ void TextureRow::take_text() {
 }
 
 void TextureRow::browse() {
-  auto* dialog = new QFileDialog(this, tr("Texture"), QFileInfo(document_.path()).absolutePath(),
-                                 tr("Images (*.png *.jpg *.jpeg *.bmp *.tga *.exr *.hdr);;All files (*)"));
+  auto* dialog = new QFileDialog(
+      this, tr("Texture"), QFileInfo(document_.path()).absolutePath(),
+      tr("Images (%1);;All files (*)").arg(QString::fromStdString(image::readable_name_patterns())));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this,

@@ -1948,8 +1948,8 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <translation>Elegir un mapa de entorno</translation>
     </message>
     <message>
-        <source>Images (*.exr *.hdr *.pfm *.raw *.png *.jpg *.tga);;All files (*)</source>
-        <translation>Imágenes (*.exr *.hdr *.pfm *.raw *.png *.jpg *.tga);;Todos los archivos (*)</translation>
+        <source>Images (%1);;All files (*)</source>
+        <translation>Imágenes (%1);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>None: a constant background</source>
@@ -2695,8 +2695,8 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
 <context>
     <name>editor::ImageBrowser</name>
     <message>
-        <source>Drop an image here, open one, or render: exr, hdr, pfm, raw, png, jpg or tga.</source>
-        <translation>Suelte aquí una imagen, abra una o renderice: exr, hdr, pfm, raw, png, jpg o tga.</translation>
+        <source>Drop an image here, open one, or render: exr, hdr, pfm, raw, png, jpg, tga or webp.</source>
+        <translation>Suelte aquí una imagen, abra una o renderice: exr, hdr, pfm, raw, png, jpg, tga o webp.</translation>
     </message>
     <message>
         <source>Values of the pixel</source>
@@ -2787,8 +2787,8 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <translation>   luminancia %1 cd/m2</translation>
     </message>
     <message>
-        <source>Images (*.exr *.hdr *.pfm *.raw *.png *.jpg *.jpeg *.tga);;All files (*)</source>
-        <translation>Imágenes (*.exr *.hdr *.pfm *.raw *.png *.jpg *.jpeg *.tga);;Todos los archivos (*)</translation>
+        <source>Images (%1);;All files (*)</source>
+        <translation>Imágenes (%1);;Todos los archivos (*)</translation>
     </message>
     <message>
         <source>from %1 to %2</source>
@@ -2874,8 +2874,8 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <translation>Abrir imágenes</translation>
     </message>
     <message>
-        <source>Open image files: exr, hdr, pfm, raw, png, jpg or tga.</source>
-        <translation>Abre archivos de imagen: exr, hdr, pfm, raw, png, jpg o tga.</translation>
+        <source>Open image files: exr, hdr, pfm, raw, png, jpg, tga or webp.</source>
+        <translation>Abre archivos de imagen: exr, hdr, pfm, raw, png, jpg, tga o webp.</translation>
     </message>
     <message>
         <source>Save image as</source>
@@ -7851,8 +7851,8 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
         <translation>Las caras no tienen textura.</translation>
     </message>
     <message>
-        <source>Images (*.png *.jpg *.jpeg *.bmp *.tga *.exr *.hdr);;All files (*)</source>
-        <translation>Imágenes (*.png *.jpg *.jpeg *.bmp *.tga *.exr *.hdr);;Todos los archivos (*)</translation>
+        <source>Images (%1);;All files (*)</source>
+        <translation>Imágenes (%1);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>

@@ -228,7 +228,8 @@ ExitCode run_brdf(const CLI::App& brdf, const command::BrdfArguments& arguments)
 
 void add_compare(CLI::App& app, command::CompareArguments& arguments) {
   CLI::App* compare = app.add_subcommand("compare", "Compute the error of an image against a reference");
-  compare->add_option("A", arguments.image, "the image: exr, hdr, pfm, raw, png, jpg or tga")->required();
+  compare->add_option("A", arguments.image, "the image: exr, hdr, pfm, raw, png, jpg, tga or webp")
+      ->required();
   compare->add_option("B", arguments.reference, "the reference image, of the same size")->required();
   compare->add_option("--exposure", arguments.exposure, "exposure in stops with which the images are seen");
   compare
@@ -246,7 +247,8 @@ struct DecodeArguments {
 void add_decode(CLI::App& app, DecodeArguments& arguments) {
   CLI::App* decode =
       app.add_subcommand("decode", "Decode an image and write it to standard output as a raw file");
-  decode->add_option("IMAGE", arguments.image, "the image: exr, hdr, pfm, raw, png, jpg or tga")->required();
+  decode->add_option("IMAGE", arguments.image, "the image: exr, hdr, pfm, raw, png, jpg, tga or webp")
+      ->required();
   decode->add_flag(
       "--layers", arguments.has_layers,
       "append the layers of an exr: for each, the lengths of its name and of its channels' letters "

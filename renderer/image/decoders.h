@@ -26,4 +26,7 @@ Image decode_radiance(std::string_view bytes);
 
 Image decode_tga(std::string_view bytes);
 
+/// WebP, lossy and lossless; animations are refused.
+Image decode_webp(std::string_view bytes);
+
 }  // namespace image

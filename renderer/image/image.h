@@ -23,9 +23,9 @@ struct Image {
   }
 };
 
-/// Reads OpenEXR, Radiance, PFM, raw, PNG, JPEG or TGA; the format is detected from the contents (raw and TGA
-/// from the extension). 8-bit images are taken as sRGB-encoded, 16-bit ones as linear unless the file says
-/// otherwise. Anything wrong with the file is one error, located at `asked_for_at` or else at the file
+/// Reads OpenEXR, Radiance, PFM, raw, PNG, JPEG, TGA or WebP; the format is detected from the contents (raw
+/// and TGA from the extension). 8-bit images are taken as sRGB-encoded, 16-bit ones as linear unless the file
+/// says otherwise. Anything wrong with the file is one error, located at `asked_for_at` or else at the file
 /// itself. Values are returned as stored, NaN and negative ones included.
 std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagnostics,
                                 const grf::SourceLocation& asked_for_at = {});

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "grf/text_file.h"
 #include "renderer/image/encoders.h"
@@ -48,6 +49,8 @@ const std::vector<ImageFormat>& image_formats() {
       {"tga", "Targa, 8 bits, sRGB", Widest, false, false, encode_tga}};
   return formats;
 }
+
+std::string readable_name_patterns() { return fmt::format("*.{}", fmt::join(ReadableExtensions, " *.")); }
 
 const ImageFormat* image_format_of(const std::string& path, grf::Diagnostics& diagnostics) {
   const auto& formats = image_formats();

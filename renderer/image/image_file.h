@@ -1,6 +1,7 @@
 // An image file has an image, layers and metadata, in one of several formats.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,6 +49,13 @@ struct ImageFormat {
 };
 
 const std::vector<ImageFormat>& image_formats();
+
+/// The extensions of image files that can be read, lower case and without the dot.
+constexpr std::array<std::string_view, 9> ReadableExtensions = {"exr", "hdr",  "pfm", "raw", "png",
+                                                                "jpg", "jpeg", "tga", "webp"};
+
+/// Returns patterns of the names of these files, `*.exr *.hdr` and so on, as file dialogs take them.
+std::string readable_name_patterns();
 
 /// Returns the format for a path's extension, or null after an error.
 const ImageFormat* image_format_of(const std::string& path, grf::Diagnostics& diagnostics);

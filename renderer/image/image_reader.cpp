@@ -158,6 +158,7 @@ constexpr std::array Decoders = {
     Decoder{"Pf", "pfm", decode_pfm},
     Decoder{"\x89PNG", "png", decode_png},
     Decoder{"\xff\xd8\xff", "jpg", decode_jpeg},
+    Decoder{"RIFF", "webp", decode_webp},
     Decoder{"", "tga", decode_tga},
 };
 
@@ -192,7 +193,7 @@ auto read_and(const Decode& decode, const std::string& path, grf::Diagnostics& d
   if (bytes->empty()) return fail("the file is empty");
   const Decoder* decoder = decoder_of(*bytes, path);
   if (decoder == nullptr)
-    return fail("unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
+    return fail("unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG, TGA or WebP");
   try {
     return decode(*decoder, *bytes);
   } catch (const std::bad_alloc&) {

@@ -82,9 +82,10 @@ std::vector<OptionInfo> view_options() {
       {"BPT_Background", "", VectorOption{&Options::background, 0}, "r g b", "0 0 0",
        "constant background radiance where rays leave the scene, W/(sr m2)"},
       {"BPT_EM_Background", "--environment",
-       PathOption{&Options::environment, true, {"exr", "hdr", "pfm", "raw", "png", "jpg", "tga"}}, "path",
-       "none",
-       "environment map or backplate image: exr, hdr, pfm, raw, png, jpg or tga, the 8-bit ones in sRGB"},
+       PathOption{&Options::environment, true, {"exr", "hdr", "pfm", "raw", "png", "jpg", "tga", "webp"}},
+       "path", "none",
+       "environment map or backplate image: exr, hdr, pfm, raw, png, jpg, tga or webp, the 8-bit ones in "
+       "sRGB"},
       {"BPT_EM_Projection", "", WordOption{&Options::projection, {"latlong", "backplate"}}, "word", "latlong",
        "latlong: equirectangular environment map that lights the scene, y up, the image's centre looks down "
        "-z, its right is +x; backplate: background image that lights nothing"},

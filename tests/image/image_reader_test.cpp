@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 #include <turbojpeg.h>
+#include <webp/encode.h>
 
 #include "renderer/image/image_file.h"
 #include "tests/support/temporary_folder.h"
@@ -114,6 +115,25 @@ std::string deep_png_file(std::uint16_t value) {
   return file;
 }
 
+/// Encodes pixels of red, green, blue and opacity.
+std::string webp_file(const std::vector<std::uint8_t>& pixels, int width, int height, bool is_lossless) {
+  std::uint8_t* data = nullptr;
+  const std::size_t size = is_lossless
+                               ? WebPEncodeLosslessRGBA(pixels.data(), width, height, 4 * width, &data)
+                               : WebPEncodeRGBA(pixels.data(), width, height, 4 * width, 95, &data);
+  std::string file(reinterpret_cast<const char*>(data), size);
+  WebPFree(data);
+  return file;
+}
+
+std::string orange_webp_file(bool is_lossless, int opacity = 255) {
+  std::vector<std::uint8_t> pixels;
+  for (int i = 0; i < 20 * 30; ++i) {
+    pixels.insert(pixels.end(), {255, 128, 0, static_cast<std::uint8_t>(opacity)});
+  }
+  return webp_file(pixels, 20, 30, is_lossless);
+}
+
 class ImageReader : public testing::Test {
  protected:
   std::optional<Image> read(const std::string& name, const std::string& file) {
@@ -190,6 +210,22 @@ TEST_F(ImageReader, ReadsRadianceTgaJpegAndDeepPng) {
   expect_everywhere(read("d.tga", tga_rle_file(20, 3)), Orange, 1e-6F);
   expect_everywhere(read("e.jpg", jpeg_file(20, 30)), Orange, 0.01F);
   expect_everywhere(read("f.png", deep_png_file(6554)), Colour(0.100008F), 1e-4F);
+}
+
+TEST_F(ImageReader, ReadsWebP) {
+  expect_everywhere(read("a.webp", orange_webp_file(true)), Orange, 1e-6F);
+  expect_everywhere(read("b.webp", orange_webp_file(false)), Orange, 0.02F);
+  expect_everywhere(read("c.webp", orange_webp_file(true, 51)), Orange * 0.2F, 1e-6F);
+  const auto rows = read("d.webp", webp_file({255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255}, 1, 3, true));
+  ASSERT_TRUE(rows) << diagnostics_.to_text();
+  EXPECT_EQ(rows->pixels, (std::vector<Colour>{Colour(1, 0, 0), Colour(0, 1, 0), Colour(0, 0, 1)}));
+}
+
+TEST_F(ImageReader, RefusesDamagedWebP) {
+  const std::string file = orange_webp_file(false);
+  expect_error("a.webp", file.substr(0, 20), "it is damaged (unexpected end of file)");
+  expect_error("b.webp", file.substr(0, file.size() / 2), "it is damaged (");
+  expect_error("c.webp", std::string("RIFF\x04\0\0\0WAVEfmt ", 16), "it is damaged (");
 }
 
 TEST_F(ImageReader, ReadsWhatElseRadianceFilesSay) {
@@ -305,7 +341,7 @@ TEST_F(ImageReader, RefusesHugeImages) {
 TEST_F(ImageReader, SaysWhatIsWrong) {
   expect_error("a.exr", "", "the file is empty");
   expect_error("b.bmp", "BM something",
-               "unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG or TGA");
+               "unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG, TGA or WebP");
   expect_error("c.pfm", "PF\n2 2\n", "it is damaged (its header is not a type, a width, a height");
   expect_error("d.pfm", "PF\n2 2\n-1\n....", "it is damaged (unexpected end of file)");
   expect_error("e.pfm", "PF\n0 2\n-1\n", "it is damaged (it has no pixels)");
@@ -347,7 +383,9 @@ class BrokenImages : public ImageReader {
             {"a.tga", tga_file(4, 3)},
             {"b.tga", tga_rle_file(20, 9)},
             {"a.jpg", jpeg_file(20, 30)},
-            {"b.png", deep_png_file(6554)}};
+            {"b.png", deep_png_file(6554)},
+            {"a.webp", orange_webp_file(false)},
+            {"b.webp", orange_webp_file(true)}};
   }
 };
 

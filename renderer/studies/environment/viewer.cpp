@@ -165,7 +165,7 @@ StudyTool environment_viewer_tool() {
   tool.initial.pdfs.push_back(pdf);
   tool.brdfs = 1;
   tool.pdfs = 1;
-  tool.files = "hdr exr pfm png jpg tga";
+  tool.files = "hdr exr pfm png jpg tga webp";
   tool.azimuth = "azimuth";
   tool.elevation = "elevation";
   tool.make = make_study;

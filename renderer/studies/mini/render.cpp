@@ -333,7 +333,7 @@ StudyTool mini_render_tool() {
   tool.initial.pdfs[1].keyword = "diffuse";
   tool.brdfs = 2;
   tool.pdfs = 2;
-  tool.files = "grf igrf op exr hdr pfm png jpg tga";
+  tool.files = "grf igrf op exr hdr pfm png jpg tga webp";
   tool.takes_many_files = true;
   tool.model = model_of;
   tool.turn = turn;

@@ -37,8 +37,8 @@ FileKind kind_of(const ToolState::File& file) {
   };
   if (is_one_of({"grf", "igrf"})) return FileKind::Scene;
   if (is_one_of({"op"})) return FileKind::Options;
-  return is_one_of({"exr", "hdr", "pic", "pfm", "png", "jpg", "jpeg", "tga"}) ? FileKind::Environment
-                                                                              : FileKind::Model;
+  return is_one_of({"exr", "hdr", "pic", "pfm", "png", "jpg", "jpeg", "tga", "webp"}) ? FileKind::Environment
+                                                                                      : FileKind::Model;
 }
 
 /// The files of a state by their kinds; empty for none.
