@@ -19,6 +19,9 @@ find_package(assimp REQUIRED)
 set_target_properties(assimp::assimp PROPERTIES INTERFACE_LINK_LIBRARIES "")
 find_package(OpenMesh REQUIRED)
 find_package(TinyGLTF REQUIRED)
+# libdraco contains an older tinygltf with the same symbols: whatever links it has to link ours before it.
+find_package(draco REQUIRED)
+find_package(meshoptimizer REQUIRED)
 find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
 # Only the editor needs these: without Qt, everything else is built and tested.

@@ -59,7 +59,8 @@ LossText text_of(Loss loss) {
     case Loss::SingularTransform:
       return {"mesh was left out", "meshes were left out", "its transform is singular"};
     case Loss::TextureImage:
-      return {"face lost its texture", "faces lost their texture", "the file has no image for it"};
+      return {"face lost its texture", "faces lost their texture",
+              "the file has no image for it that can be read"};
     case Loss::TextureWrap:
       return {"face lost the wrap mode of its texture", "faces lost the wrap mode of their texture",
               "textures of GRF repeat"};

@@ -14,6 +14,8 @@
 #include <fmt/format.h>
 
 #include "converters/gltf/gltf_check.h"
+#include "converters/gltf/gltf_compression.h"
+#include "converters/gltf/gltf_document.h"
 #include "converters/text_encoding.h"
 #include "converters/wording.h"
 #include "grf/keywords.h"
@@ -28,7 +30,8 @@ namespace fs = std::filesystem;
 constexpr int DeepestJson = 200;
 
 /// The extensions that the reader supports, or reports as losses.
-constexpr std::array<std::string_view, 20> KnownExtensions = {"KHR_lights_punctual",
+constexpr std::array<std::string_view, 22> KnownExtensions = {"KHR_draco_mesh_compression",
+                                                              "KHR_lights_punctual",
                                                               "KHR_materials_anisotropy",
                                                               "KHR_materials_clearcoat",
                                                               "KHR_materials_diffuse_transmission",
@@ -45,6 +48,7 @@ constexpr std::array<std::string_view, 20> KnownExtensions = {"KHR_lights_punctu
                                                               "KHR_mesh_quantization",
                                                               "KHR_texture_basisu",
                                                               "KHR_texture_transform",
+                                                              "EXT_meshopt_compression",
                                                               "EXT_texture_avif",
                                                               "EXT_texture_webp",
                                                               "MSFT_texture_dds"};
@@ -91,6 +95,14 @@ std::pair<std::string_view, std::string> json_of_glb(std::string_view bytes) {
     rest -= ChunkHeaderBytes + part;
   }
   return {bytes.substr(json, json_bytes), ""};
+}
+
+/// Returns a GLB file, whose JSON is a part of it, with another JSON.
+std::string with_json(std::string_view glb, std::string_view json, std::string_view other) {
+  constexpr std::size_t ChunkHeaderBytes = 8;
+  std::string_view rest = glb.substr(static_cast<std::size_t>(json.end() - glb.begin()));
+  rest.remove_prefix(std::min(rest.size(), ChunkHeaderBytes));
+  return glb_of(other, rest);
 }
 
 bool is_nested_too_deep(std::string_view json) {
@@ -183,8 +195,11 @@ class Loader {
     if (is_nested_too_deep(json)) {
       return fail(fmt::format("the JSON has more than {} arrays and objects, one in another", DeepestJson));
     }
-    if (!parse(*bytes) || !is_understood()) return std::nullopt;
+    std::string replaced = with_placeholders(json);
+    if (!replaced.empty() && is_binary_) replaced = with_json(*bytes, json, replaced);
+    if (!parse(replaced.empty() ? *bytes : replaced) || !is_understood()) return std::nullopt;
     take_note_of(json, bytes->size());
+    if (!decompress(file_, diagnostics_)) return std::nullopt;
     return std::move(file_);
   }
 
@@ -234,6 +249,14 @@ class Loader {
       return false;
     }
     if (lacks_extension()) return false;
+    const auto& required = file_.model.extensionsRequired;
+    if (std::find(required.begin(), required.end(), "KHR_texture_basisu") != required.end()) {
+      fail(
+          "the file requires KHR_texture_basisu: its textures are KTX2 images, which cannot be read; save "
+          "the "
+          "model with PNG, JPEG or WebP textures");
+      return false;
+    }
     std::vector<std::string> skipped;
     for (const std::string& extension : file_.model.extensionsUsed) {
       if (!is_one_of(KnownExtensions, extension)) skipped.push_back(extension);

@@ -40,10 +40,11 @@ int hex_digit(char c) {
   return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
 
-/// Returns the image that a texture's extension names, for programs that support its format.
+/// Returns the image of a texture, or the one that an extension names for programs that support its format.
 int source_of(const tinygltf::Texture& texture) {
   if (texture.source >= 0) return texture.source;
   for (const auto& [name, extension] : texture.extensions) {
+    if (name == "KHR_texture_basisu") continue;  // no program here reads KTX2 images
     if (extension.Has("source") && extension.Get("source").IsInt()) return extension.Get("source").Get<int>();
   }
   return -1;

@@ -71,9 +71,9 @@ TEST_F(BptDecode, AppendsTheLayersOfAnExr) {
 TEST_F(BptDecode, SaysWhyItCannot) {
   expect_error(write("cut.pfm", std::string(Pfm.substr(0, Pfm.size() - 1))),
                "cannot read the image: it is damaged (unexpected end of file)");
-  expect_error(
-      write("text.txt", "no image"),
-      "cannot read the image: unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, JPEG, TGA or WebP");
+  expect_error(write("text.txt", "no image"),
+               "cannot read the image: unknown format, expected OpenEXR, Radiance (hdr), pfm, raw, PNG, "
+               "JPEG, TGA or WebP");
   expect_error(write("empty.pfm", ""), "cannot read the image: the file is empty");
   expect_error(path("none.pfm"), "cannot read the file: No such file or directory");
   expect_error(folder_.path(), "cannot read the file: it is a directory, expected a file");

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/converters/reading.h"
@@ -133,5 +135,12 @@ class GltfMaker {
     }
   }
 };
+
+/// Expects that a file was not read, with an error that has this text.
+inline void expect_error(const Reading& reading, const std::string& text) {
+  EXPECT_FALSE(reading.scene.has_value()) << text;
+  EXPECT_TRUE(reading.diagnostics.has_errors());
+  EXPECT_THAT(reading.text(), testing::HasSubstr(text));
+}
 
 }  // namespace convert

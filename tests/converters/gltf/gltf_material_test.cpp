@@ -105,6 +105,30 @@ TEST(GltfMaterial, CommentsHaveAllValuesThatAreRead) {
             " glTF: diffuseFactor 0.5 0.25 0 1; specularFactor 0.25 0.75 1; glossinessFactor 0.5");
 }
 
+// Of the images that extensions name, WebP can be read, and KTX2 cannot.
+TEST(GltfMaterial, TexturesOfExtensionsAreTheImagesThatCanBeRead) {
+  json material = pbr({1, 1, 1, 1}, 0, 1);
+  material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  const auto reading_of = [&](const json& texture) {
+    GltfMaker maker = GltfMaker::with_material(material);
+    maker.json["textures"][0] = texture;
+    maker.json["images"].push_back({{"uri", "wood.webp"}});
+    maker.json["images"].push_back({{"uri", "wood.ktx2"}});
+    return maker.read();
+  };
+  const json webp = {{"EXT_texture_webp", {{"source", 1}}}};
+  const json basisu = {{"KHR_texture_basisu", {{"source", 2}}}};
+  const auto file_of = [](const Reading& reading) {
+    return std::get<grf::Texture>(meshes_of(*reading.scene).at(0).surface(0).texture.value()).file;
+  };
+  EXPECT_EQ(file_of(reading_of({{"extensions", webp}})), "wood.webp");
+  EXPECT_EQ(file_of(reading_of({{"source", 0}, {"extensions", basisu}})), "wood a.png");
+  const Reading lost = reading_of({{"extensions", basisu}});
+  ASSERT_TRUE(lost.scene);
+  EXPECT_FALSE(meshes_of(*lost.scene).at(0).surface(0).texture.has_value());
+  EXPECT_NE(lost.text().find("1 face lost its texture"), std::string::npos) << lost.text();
+}
+
 TEST(GltfMaterial, TheBaseColoursTextureMultiplies) {
   json material = pbr({1, 1, 1, 1}, 0, 1);
   material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 1}};

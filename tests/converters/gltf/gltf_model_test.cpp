@@ -38,7 +38,6 @@ const std::map<std::string, std::string> Errors = {
     {"glTF2/SchemaFailures/sceneWrongType.gltf", "File not found : BoxTextured0.bin"},
     {"glTF2/TestNoRootNode/NoScene.gltf", "the file has no faces"},
     {"glTF2/TestNoRootNode/SceneWithoutNodes.gltf", "the file has no faces"},
-    {"glTF2/draco/2CylinderEngine.gltf", "requires what is not supported: 'KHR_draco_mesh_compression'"},
     {"glTF2/wrongTypes/badArray.gltf", "the file has no faces"},
     {"glTF2/wrongTypes/badNumber.gltf", "'index' property is missing in NormalTextureInfo"},
     {"glTF2/glTF-Asset-Generator/Mesh_PrimitiveMode/Mesh_PrimitiveMode_00.gltf", "the file has no faces"},
