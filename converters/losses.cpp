@@ -48,6 +48,12 @@ LossText text_of(Loss loss) {
       return {"camera was left out", "cameras were left out", "a view is given when a scene is rendered"};
     case Loss::LightSource:
       return {"light was left out", "lights were left out", "GRF has only area lights"};
+    case Loss::PunctualLight:
+      return {"light became a small mesh that emits", "lights became small meshes that emit",
+              "GRF has only area lights"};
+    case Loss::SpotCone:
+      return {"spot light lost its cone", "spot lights lost their cones",
+              "faces of GRF emit to their whole front"};
     case Loss::Animation:
       return {"animation was left out", "animations were left out", "GRF scenes are static"};
     case Loss::EmissionMap:

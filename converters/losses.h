@@ -25,6 +25,8 @@ enum class Loss {
   // Features that only some formats have.
   Camera,
   LightSource,
+  PunctualLight,
+  SpotCone,
   Animation,
   EmissionMap,
   SecondTextureCoordinates,

@@ -1,10 +1,13 @@
 #include "converters/text_encoding.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include "grf/text_file.h"
+#include "grf/write.h"
 
 namespace convert {
 namespace {
@@ -117,6 +120,12 @@ std::string to_utf8(std::string_view bytes) {
 
 bool is_padding(std::string_view bytes) {
   return bytes.find_first_not_of(" \t\r\n\f\v\x1A") == std::string_view::npos;
+}
+
+std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
+  return grf::with_one_kind_of_quotes(std::move(text));
 }
 
 }  // namespace convert

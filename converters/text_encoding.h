@@ -16,4 +16,7 @@ bool is_plain_utf8(std::string_view bytes);
 /// end-of-file mark. Any others show that the file was misread.
 bool is_padding(std::string_view bytes);
 
+/// Converts a text to one line with one kind of quotes, as names and comments of GRF are.
+std::string on_one_line(std::string text);
+
 }  // namespace convert

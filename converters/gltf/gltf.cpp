@@ -34,7 +34,8 @@ Format common() {
       "texture coordinates, vertex colours, textures, names, transforms, instances, materials with clear "
       "coats, sheen and anisotropy, emission";
   format.loses =
-      "maps other than of the base colour, transparency, points, lines, cameras, point lights, animations; "
+      "maps other than of the base colour, transparency, points, lines, cameras, cones of spot lights, "
+      "animations; "
       "for other programs: BRDFs that are not metallic-roughness, sampling schemes, irradiance";
   format.read_materials = gltf_material_rules();
   format.written_materials = gltf_material_writer_rules();

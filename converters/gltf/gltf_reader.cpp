@@ -14,11 +14,15 @@
 #include "converters/gltf/gltf_accessors.h"
 #include "converters/gltf/gltf_grf.h"
 #include "converters/gltf/gltf_images.h"
+#include "converters/gltf/gltf_lights.h"
 #include "converters/gltf/gltf_materials.h"
 #include "converters/gltf/gltf_meshes.h"
 #include "converters/gltf/gltf_nodes.h"
 #include "converters/scene_building.h"
+#include "converters/text_encoding.h"
 #include "converters/wording.h"
+#include "grf/vertex_tree.h"
+#include "grf/visit.h"
 #include "grf/write.h"
 
 namespace convert {
@@ -38,11 +42,14 @@ struct Shape {
   std::string name;  ///< name of the definition; empty: its mesh has no faces
 };
 
-/// Converts a text to one line, for a GRF file.
-std::string on_one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '\0'; }, ' ');
-  return grf::with_one_kind_of_quotes(std::move(text));
+grf::Box3d bounds_of(const grf::Scene& scene) {
+  grf::Box3d bounds;
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
+    bounds.extendBy(mesh.geometry.vertices().bounds_under(placement.to_world));
+  };
+  grf::visit(scene, visitor);
+  return bounds;
 }
 
 class SceneReader {
@@ -54,7 +61,8 @@ class SceneReader {
         accessors_(accessors),
         diagnostics_(diagnostics),
         materials_(file, images, names_),
-        nodes_(file, accessors) {}
+        nodes_(file, accessors),
+        lights_(file, losses_) {}
 
   std::optional<grf::Scene> run() {
     if (!nodes_.load()) return std::nullopt;
@@ -70,6 +78,10 @@ class SceneReader {
     if (blocks.empty()) return accessors_.fail("the file has no faces, and only faces can be imported");
     std::vector<grf::Definition> definitions = materials_.definitions();
     std::move(shared_.begin(), shared_.end(), std::back_inserter(definitions));
+    if (!lights_.empty()) {
+      auto lights = lights_.blocks(bounds_of(scene_of(definitions, blocks, location_)), location_);
+      std::move(lights.begin(), lights.end(), std::back_inserter(blocks));
+    }
     return scene_of(std::move(definitions), std::move(blocks), location_);
   }
 
@@ -95,7 +107,7 @@ class SceneReader {
     if (source.mesh >= 0 && source.skin < 0) ++shapes_[form_of(source)].uses;
     if (source.mesh >= 0) meshes_placed_.insert(source.mesh);
     if (source.camera >= 0) losses_.add(Loss::Camera);
-    if (source.extensions.contains("KHR_lights_punctual")) losses_.add(Loss::LightSource);
+    lights_.take(source, nodes_.to_scene(index));
     for (const int child : source.children) count_uses(child);
   }
 
@@ -222,6 +234,7 @@ class SceneReader {
   GltfMaterials materials_;
   GltfNodes nodes_;
   Losses losses_;
+  GltfLights lights_;
   std::map<Form, Shape> shapes_;
   std::set<Form> known_;
   std::set<int> meshes_placed_;

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "converters/gltf/gltf_file.h"
+#include "converters/losses.h"
+#include "grf/math.h"
+#include "grf/scene.h"
+
+namespace convert {
+
+/// The lights of a glTF file (KHR_lights_punctual), which have no size. GRF has only area lights, so each
+/// becomes a small mesh that emits and reflects nothing, with the same intensity, in the file's unit of
+/// luminance:
+///
+/// - A point light is an icosahedron of radius 0.05 m, or 1/200 of the scene's diagonal if that is less. Its
+///   radiance is that of a sphere with this intensity in the mean over all directions.
+/// - A spot light is a disc of that radius. On its axis it has the intensity of the light, whose cone is
+/// lost.
+/// - A directional light is a disc at a distance of 100 diagonals, as large as the sun (0.533 degrees
+/// across).
+class GltfLights {
+ public:
+  GltfLights(const GltfFile& file, Losses& losses) : file_(file), losses_(losses) {}
+
+  /// Takes a node's light, if it has one, with the node's transform to the scene.
+  void take(const tinygltf::Node& node, const grf::Matrix44d& to_scene);
+
+  bool empty() const { return placed_.empty(); }
+
+  /// Returns the meshes of the lights that were taken, for a scene with these bounds of its faces.
+  std::vector<grf::Block> blocks(const grf::Box3d& bounds, const grf::SourceLocation& location) const;
+
+ private:
+  /// A light at its place.
+  struct Placed {
+    const tinygltf::Light* light = nullptr;
+    grf::Vec3d place = grf::Vec3d(0);
+    grf::Vec3d direction = grf::Vec3d(0);  ///< unit vector in which it shines
+  };
+
+  const GltfFile& file_;
+  Losses& losses_;
+  std::vector<Placed> placed_;
+};
+
+}  // namespace convert
