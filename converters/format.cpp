@@ -98,6 +98,11 @@ std::optional<Import> read(const Format& format, const std::string& path, const 
     diagnostics.error(grf::whole_file(path), fmt::format("{} files cannot be read", format.name));
     return std::nullopt;
   }
+  if (!options.variant.empty() && !format.has_variants) {
+    diagnostics.error(grf::whole_file(path),
+                      fmt::format("{} files have no variants, expected '{}'", format.name, options.variant));
+    return std::nullopt;
+  }
   std::optional<Import> import = format.read(path, options, diagnostics);
   if (import && options.brdf) assign_default_brdf(import->scene, *options.brdf);
   return import;

@@ -17,6 +17,9 @@ namespace convert {
 struct ReadOptions {
   /// The BRDF for faces without a material; empty: they get no BRDF, and GRF's default holds.
   std::optional<grf::BrdfModel> brdf;
+  /// The name of the variant of a glTF file's materials; empty: the default materials. An error for files of
+  /// other formats.
+  std::string variant = {};
 };
 
 /// A file embedded in another one, such as an image in a GLB file.
@@ -38,6 +41,7 @@ struct Format {
   std::string_view name;                     ///< name for options: `obj`
   std::string_view title;                    ///< name for people
   std::vector<std::string_view> extensions;  ///< in lower case, without the dot; the usual one first
+  bool has_variants = false;                 ///< whether files can have variants of their materials
 
   /// Returns whether a file that begins with these bytes is of the format. At most one format returns true.
   bool (*sniff)(std::string_view first_bytes);

@@ -27,6 +27,7 @@ CLI::IsMember is_format_with(Member Format::*member) {
 void add_input_options(CLI::App& command, Arguments& arguments) {
   command.add_option("--from", arguments.from, "Input format, overriding detection by content and name")
       ->check(is_format_with(&Format::read));
+  command.add_option("--variant", arguments.variant, "Variant of a glTF file's materials, by its name");
   command.add_option("--brdf", arguments.brdf,
                      "BRDF for faces without a material, such as \"ward sx=0.15 ks=0.3 kd=0.2\"");
 }
@@ -242,6 +243,7 @@ void define_command_line(CLI::App& app, Arguments& arguments) {
 
 std::optional<InputOptions> input_options(const Arguments& arguments) {
   InputOptions options{arguments.input, find_format(arguments.from), {}};
+  options.reading.variant = arguments.variant;
   if (arguments.brdf.empty()) return options;
   grf::Diagnostics diagnostics;
   options.reading.brdf = read_brdf_option(arguments.brdf, "--brdf", diagnostics);

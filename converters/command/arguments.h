@@ -21,6 +21,7 @@ struct Arguments {
   std::string from;
   std::string to;
   std::string brdf;
+  std::string variant;
   std::string normals = "keep";
   std::string subdivide;
   std::string transform;

@@ -29,6 +29,7 @@ bool is_gltf(std::string_view first_bytes) {
 Format common() {
   Format format;
   format.read = read_gltf;
+  format.has_variants = true;
   format.keeps =
       "all of a scene that came from GRF (in extras); else polygons as triangles, shared vertices, normals, "
       "texture coordinates, vertex colours, textures, names, transforms, instances, materials with clear "

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 constexpr int DeepestJson = 200;
 
 /// The extensions that the reader supports, or reports as losses.
-constexpr std::array<std::string_view, 22> KnownExtensions = {"KHR_draco_mesh_compression",
+constexpr std::array<std::string_view, 23> KnownExtensions = {"KHR_draco_mesh_compression",
                                                               "KHR_lights_punctual",
                                                               "KHR_materials_anisotropy",
                                                               "KHR_materials_clearcoat",
@@ -44,6 +44,7 @@ constexpr std::array<std::string_view, 22> KnownExtensions = {"KHR_draco_mesh_co
                                                               "KHR_materials_specular",
                                                               "KHR_materials_transmission",
                                                               "KHR_materials_unlit",
+                                                              "KHR_materials_variants",
                                                               "KHR_materials_volume",
                                                               "KHR_mesh_quantization",
                                                               "KHR_texture_basisu",

@@ -18,6 +18,7 @@
 #include "converters/gltf/gltf_materials.h"
 #include "converters/gltf/gltf_meshes.h"
 #include "converters/gltf/gltf_nodes.h"
+#include "converters/gltf/gltf_variants.h"
 #include "converters/scene_building.h"
 #include "converters/text_encoding.h"
 #include "converters/wording.h"
@@ -256,9 +257,10 @@ std::optional<grf::Scene> scene_in_extras(const GltfFile& file, grf::Diagnostics
 
 }  // namespace
 
-std::optional<Import> read_gltf(const std::string& path, const ReadOptions&, grf::Diagnostics& diagnostics) {
-  const auto file = load_gltf(path, diagnostics);
-  if (!file) return std::nullopt;
+std::optional<Import> read_gltf(const std::string& path, const ReadOptions& options,
+                                grf::Diagnostics& diagnostics) {
+  auto file = load_gltf(path, diagnostics);
+  if (!file || !choose_variant(*file, options.variant, diagnostics)) return std::nullopt;
   GltfAccessors accessors(*file, diagnostics);
   GltfImages images(*file, accessors);
   if (!images.load()) return std::nullopt;

@@ -105,6 +105,45 @@ TEST(GltfMaterial, CommentsHaveAllValuesThatAreRead) {
             " glTF: diffuseFactor 0.5 0.25 0 1; specularFactor 0.25 0.75 1; glossinessFactor 0.5");
 }
 
+/// A file with three materials by variants: paper, which is the default, wood and, by both others, brass.
+GltfMaker with_variants() {
+  GltfMaker maker = GltfMaker::triangle();
+  maker.json["materials"] = {{{"name", "paper"}}, {{"name", "wood"}}, {{"name", "brass"}}};
+  maker.json["extensionsUsed"] = {"KHR_materials_variants"};
+  maker.json["extensions"]["KHR_materials_variants"]["variants"] = {
+      {{"name", "forest"}}, {{"name", "museum"}}, {{"name", "office"}}};
+  maker.primitive()["material"] = 0;
+  maker.primitive()["extensions"]["KHR_materials_variants"]["mappings"] = {
+      {{"material", 1}, {"variants", {0}}}, {{"material", 2}, {"variants", {1, 2}}}};
+  return maker;
+}
+
+TEST(GltfVariants, ChooseMaterials) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.add("model.gltf", with_variants().gltf());
+  const auto material = [&](const std::string& variant) {
+    const Reading reading = read_path(path, {{}, variant});
+    return reading.scene ? material_of(only_mesh(reading), 0) : reading.text();
+  };
+  EXPECT_EQ(material(""), "paper");
+  EXPECT_EQ(material("forest"), "wood");
+  EXPECT_EQ(material("museum"), "brass");
+  EXPECT_EQ(material("office"), "brass");
+  EXPECT_THAT(material("sea"), HasSubstr("the file has no variant 'sea', only 'forest', 'museum', 'office'"));
+  EXPECT_THAT(read_path(path).text(),
+              HasSubstr("the file has 3 variants of its materials, 'forest', 'museum', 'office'"));
+}
+
+TEST(GltfVariants, AreOfFilesThatHaveThem) {
+  const test::TemporaryFolder folder;
+  const std::string plain = folder.add("plain.gltf", GltfMaker::triangle().gltf());
+  EXPECT_THAT(read_path(plain, {{}, "forest"}).text(),
+              HasSubstr("the file has no variants, expected 'forest'"));
+  const std::string obj = folder.add("square.obj", SquareVertices + "f 1 2 3 4\n");
+  EXPECT_THAT(read_path(obj, {{}, "forest"}).text(),
+              HasSubstr("obj files have no variants, expected 'forest'"));
+}
+
 // Of the images that extensions name, WebP can be read, and KTX2 cannot.
 TEST(GltfMaterial, TexturesOfExtensionsAreTheImagesThatCanBeRead) {
   json material = pbr({1, 1, 1, 1}, 0, 1);
