@@ -29,10 +29,6 @@ LossText text_of(Loss loss) {
               "the format has none"};
     case Loss::Transparency:
       return {"face lost its transparency", "faces lost their transparency", "GRF surfaces are opaque"};
-    case Loss::PhysicallyBasedParameters:
-      return {"face lost its physically based parameters (roughness, metallic and so on)",
-              "faces lost their physically based parameters (roughness, metallic and so on)",
-              "the older ones beside them were used"};
     case Loss::SmoothingGroup:
       return {"face lost its smoothing group", "faces lost their smoothing group",
               "the file has no normals, so that faces are flat"};

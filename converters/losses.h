@@ -16,7 +16,6 @@ enum class Loss {
   OtherMap,
   TextureCoordinates,
   Transparency,
-  PhysicallyBasedParameters,
   SmoothingGroup,
   VertexColour,
   DegenerateFace,

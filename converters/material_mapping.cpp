@@ -32,6 +32,12 @@ class Mapping {
 
  private:
   grf::BrdfModel brdf() {
+    if (material_.physically_based) {
+      GltfBrdf values = *material_.physically_based;
+      values.base = material_.diffuse;
+      mapped_.clamped = normalise(values) || mapped_.clamped;
+      return to_brdf(values);
+    }
     const grf::Vec3d diffuse = clamped(material_.diffuse, 1, mapped_);
     const grf::Vec3d specular = clamped(material_.specular, 1, mapped_);
     if (material_.reflection == Reflection::None || specular == grf::Vec3d(0)) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "converters/brdf_lobes.h"
+#include "converters/gltf/gltf_brdf.h"
 #include "converters/losses.h"
 #include "grf/math.h"
 #include "grf/scene.h"
@@ -23,9 +24,11 @@ enum class Reflection {
 /// Converts a Blinn-Phong exponent to the Phong exponent, max(0, u.r)^n, of about the same lobe width: the
 /// half vector turns half as fast.
 constexpr double to_phong_exponent(double half_vector_exponent) { return half_vector_exponent / 4; }
+constexpr double to_half_vector_exponent(double phong_exponent) { return phong_exponent * 4; }
 
-/// A material of the Phong family, such as those of MTL files. Values are kept in double so that 1 - 0.9,
-/// once rounded to float, is written 0.1.
+/// A material of the Phong family, such as those of MTL files, or one with physically based parameters that a
+/// file of that family gives beside them. Values are kept in double so that 1 - 0.9, once rounded to float,
+/// is written 0.1.
 struct PhongMaterial {
   std::string name;
   grf::Vec3d diffuse = grf::Vec3d(0.5);  ///< GRF's default
@@ -34,6 +37,8 @@ struct PhongMaterial {
   std::optional<double> exponent;       ///< Phong exponent, about the mirror direction
   std::optional<grf::Texture> diffuse_map;
   Reflection reflection = Reflection::Glossy;
+  /// Metallic, roughness and so on, which then replace the highlight; the base colour is `diffuse`.
+  std::optional<GltfBrdf> physically_based;
 
   std::string_view source;                 ///< the name of the format
   std::vector<std::string> source_values;  ///< the original values of the file, verbatim

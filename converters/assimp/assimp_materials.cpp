@@ -114,8 +114,6 @@ std::vector<Loss> losses_of(const aiMaterial& material) {
     if (is_lost && !is_known) losses.push_back(loss);
   };
   lose_if(number_of(material, AI_MATKEY_OPACITY).value_or(1) < 1, Loss::Transparency);
-  lose_if(number_of(material, AI_MATKEY_METALLIC_FACTOR) || number_of(material, AI_MATKEY_ROUGHNESS_FACTOR),
-          Loss::PhysicallyBasedParameters);
   for (int i = aiTextureType_DIFFUSE; i <= aiTextureType_TRANSMISSION; ++i) {
     const auto type = static_cast<aiTextureType>(i);
     const unsigned count = material.GetTextureCount(type);
@@ -179,8 +177,11 @@ constexpr std::array<MaterialRule, 13> AssimpMaterialRules = {{
      "diffuse kd=0 light rgb (3, 3, 3)", ""},
     {"opacity < 1", "lost", "3DS: diffuse 0.5; opacity 0.5", "diffuse kd=0.5", "transparency"},
     {"other maps", "lost", "3DS: diffuse 0.5; bump wood.png", "diffuse kd=0.5", "bump map"},
-    {"metallic and roughness", "lost", "FBX: diffuse 0.5; roughnessFactor 0.5", "diffuse kd=0.5",
-     "physically based parameters"},
+    {"metallic or roughness",
+     "`gltf` with these, base colour, index, anisotropy, clear coat and sheen; the specular colour has no "
+     "effect",
+     "FBX: diffuse 0.5; roughnessFactor 0.25; metallicFactor 1",
+     "gltf baseColor=0.5 metallic=1 roughness=0.25", ""},
     {"all others", "kept only in the comment", "3DS: diffuse 0.5; ambient 0.5", "diffuse kd=0.5", ""},
 }};
 
@@ -205,6 +206,25 @@ void read_reflection(const aiMaterial& material, const AssimpRules& rules, Phong
     phong.exponent = to_phong_exponent(*phong.exponent);
   }
   if (shading == aiShadingMode_NoShading && rules.unlit_has_no_reflection) phong.diffuse = grf::Vec3d(0);
+}
+
+/// Reads physically based parameters, if the material has a roughness or is metallic.
+std::optional<GltfBrdf> physically_based(const aiMaterial& material) {
+  const auto metallic = number_of(material, AI_MATKEY_METALLIC_FACTOR);
+  const auto roughness = number_of(material, AI_MATKEY_ROUGHNESS_FACTOR);
+  if (!metallic && !roughness) return std::nullopt;
+  GltfBrdf values;
+  const auto assign = [](double& target, std::optional<double> value) { target = value.value_or(target); };
+  assign(values.metallic, metallic);
+  assign(values.roughness, roughness);
+  assign(values.anisotropy, number_of(material, AI_MATKEY_ANISOTROPY_FACTOR));
+  assign(values.clearcoat, number_of(material, AI_MATKEY_CLEARCOAT_FACTOR));
+  assign(values.coat_roughness, number_of(material, AI_MATKEY_CLEARCOAT_ROUGHNESS_FACTOR));
+  assign(values.sheen_roughness, number_of(material, AI_MATKEY_SHEEN_ROUGHNESS_FACTOR));
+  values.sheen_colour = colour_of(material, AI_MATKEY_SHEEN_COLOR_FACTOR).value_or(values.sheen_colour);
+  const auto index = number_of(material, AI_MATKEY_REFRACTI);
+  if (index.value_or(0) > 1) values.ior = *index;
+  return values;
 }
 
 }  // namespace
@@ -236,6 +256,7 @@ AssimpMaterial read_material(const aiMaterial& material, const AssimpRules& rule
   read_diffuse_map(material, result);
   if (phong.diffuse_map && rules.map_replaces_diffuse) phong.diffuse = grf::Vec3d(1);
   read_reflection(material, rules, phong);
+  phong.physically_based = physically_based(material);
   return result;
 }
 

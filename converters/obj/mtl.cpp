@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
+#include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -25,16 +28,17 @@ bool is_one_of(std::string_view keyword, std::initializer_list<std::string_view>
                      [keyword](std::string_view candidate) { return same_keyword(keyword, candidate); });
 }
 
-/// Returns the loss of an unsupported statement that names an image, or extends MTL.
+/// Returns the loss of an unsupported statement that names an image.
 std::optional<Loss> loss_of(std::string_view keyword) {
   if (is_one_of(keyword, {"bump", "map_bump", "norm", "map_Kn"})) return Loss::BumpMap;
   if (is_one_of(keyword, {"disp", "decal", "refl"})) return Loss::OtherMap;
   if (same_keyword(keyword.substr(0, 4), "map_")) return Loss::OtherMap;
-  if (is_one_of(keyword, {"Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor"})) {
-    return Loss::PhysicallyBasedParameters;
-  }
   return std::nullopt;
 }
+
+/// The statements of Exocortex' extension for physically based materials.
+constexpr std::array<std::string_view, 7> PhysicalKeywords = {"Pr",  "Pm",    "Ps",    "Pc",
+                                                              "Pcr", "aniso", "anisor"};
 
 // The illumination models of the format: 0 and 1 have no highlight; 3 to 9 trace reflections, 4, 6, 7 and 9
 // with refraction.
@@ -47,7 +51,7 @@ bool refracts(int illumination) {
 }
 
 /// The table of conversions by `MtlReader` and the mapping.
-constexpr std::array<MaterialRule, 14> MtlRules = {{
+constexpr std::array<MaterialRule, 15> MtlRules = {{
     {"`Ks` = 0 or absent, or `illum` 0 or 1", "`diffuse kd=Kd`; an absent `Kd` is 0.5",
      "Kd 0.5 0.25 0.1; Ks 0.5; illum 1", "diffuse kd=(0.5, 0.25, 0.1)", ""},
     {"`Ks` > 0, any other `illum` or none",
@@ -71,8 +75,13 @@ constexpr std::array<MaterialRule, 14> MtlRules = {{
     {"`d` < 1, `Tr` > 0, `illum` 4, 6, 7 or 9", "lost", "Kd 0.5; d 0.5", "diffuse kd=0.5", "transparency"},
     {"other maps, `bump`, `norm`, `disp`, `refl`", "lost", "Kd 0.5; bump wood.png", "diffuse kd=0.5",
      "bump map"},
-    {"`Pr`, `Pm` and other extensions", "lost", "Kd 0.5; Pr 0.3", "diffuse kd=0.5",
-     "physically based parameters"},
+    {"`Pr`, `Pm`, `Ps`, `Pc` and their kin",
+     "`gltf baseColor=Kd roughness=Pr metallic=Pm sheenColor=Ps clearcoat=Pc coatRoughness=Pcr "
+     "anisotropy=aniso "
+     "rotation=2 pi anisor ior=Ni`; `Ks` has no effect",
+     "Kd 0.5; Ks 0.3; Pr 0.3; Pm 1", "gltf baseColor=0.5 metallic=1 roughness=0.3", ""},
+    {"the same without `Pr`", "the roughness of the lobe of `Ns`, or 0.5", "Kd 0.5; Ns 127.5; Pc 1",
+     "gltf baseColor=0.5 roughness=0.25 clearcoat=1", ""},
     {"values out of range", "clamped", "Kd 1.5", "diffuse kd=1", "out of range"},
     {"`Ka`, `Ni`, `Tf`, `sharpness`", "kept only in the comment", "Kd 0.5; Ka 0.1; Ni 1.5", "diffuse kd=0.5",
      ""},
@@ -112,6 +121,8 @@ class MtlReader {
   void read_comment(const Statement& statement);
   void read_exact_brdf_of(const Statement& comment, std::string_view text);
   void read_exact_colour(const Statement& comment, std::string_view text);
+  bool read_physically_based(const Statement& statement);
+  GltfBrdf physically_based() const;
   bool read_transparency(const Statement& statement);
   void read_image(const Statement& statement);
   void finish();
@@ -130,9 +141,11 @@ class MtlReader {
   std::vector<MtlMaterial> materials_;
   std::set<std::string, std::less<>> identifiers_;  // identifiers of the materials so far
   std::optional<MtlMaterial> current_;
-  bool has_diffuse_ = false;            // the current material has `Kd`
-  std::optional<double> dissolve_;      // `d` of the current material: 1 is opaque
-  std::optional<double> transparency_;  // `Tr`, 1 - `d`; `d` overrides it
+  bool has_diffuse_ = false;                     // the current material has `Kd`
+  std::optional<double> dissolve_;               // `d` of the current material: 1 is opaque
+  std::optional<double> transparency_;           // `Tr`, 1 - `d`; `d` overrides it
+  std::map<std::string_view, double> physical_;  // the parameters of `PhysicalKeywords` that the material has
+  std::optional<double> index_;                  // `Ni`, the index of refraction
   std::size_t unread_values_ = 0;
   grf::SourceLocation first_unread_;
 };
@@ -145,6 +158,8 @@ void MtlReader::begin(const Statement& statement) {
   has_diffuse_ = false;
   dissolve_.reset();
   transparency_.reset();
+  physical_.clear();
+  index_.reset();
 }
 
 void MtlReader::finish() {
@@ -152,6 +167,7 @@ void MtlReader::finish() {
   if (dissolve_.value_or(1 - transparency_.value_or(0)) < 1) add_loss(Loss::Transparency);
   // An image without a colour is not scaled.
   if (current_->phong.diffuse_map && !has_diffuse_) current_->phong.diffuse = grf::Vec3d(1);
+  if (!physical_.empty()) current_->phong.physically_based = physically_based();
   // Values derived from the exact BRDF add no information.
   if (current_->exact) current_->phong.source_values.clear();
   identifiers_.insert(grf::to_identifier(current_->phong.name));
@@ -181,11 +197,44 @@ void MtlReader::read(const Statement& statement) {
     if (refracts(illumination)) add_loss(Loss::Transparency);
   } else if (same_keyword(keyword, "map_Kd")) {
     read_image(statement);
-  } else if (read_transparency(statement)) {
+  } else if (read_transparency(statement) || read_physically_based(statement)) {
     return;
   } else if (const auto loss = loss_of(keyword)) {
     add_loss(*loss);
   }
+}
+
+bool MtlReader::read_physically_based(const Statement& statement) {
+  if (same_keyword(statement.keyword, "Ni")) {
+    assign(index_, number(statement));
+    return true;
+  }
+  const auto known =
+      std::find_if(PhysicalKeywords.begin(), PhysicalKeywords.end(),
+                   [&](std::string_view keyword) { return same_keyword(statement.keyword, keyword); });
+  if (known == PhysicalKeywords.end()) return false;
+  if (const auto value = number(statement)) physical_[*known] = *value;
+  return true;
+}
+
+// Programs write these beside `Ks` and `Ns`, which are for those that do not know them.
+GltfBrdf MtlReader::physically_based() const {
+  const auto value = [this](std::string_view keyword, double otherwise) {
+    const auto found = physical_.find(keyword);
+    return found == physical_.end() ? otherwise : found->second;
+  };
+  GltfBrdf values;
+  if (current_->phong.exponent)
+    values.roughness = std::sqrt(slope_of(to_half_vector_exponent(*current_->phong.exponent)));
+  values.roughness = value("Pr", values.roughness);
+  values.metallic = value("Pm", 0);
+  values.sheen_colour = grf::Vec3d(value("Ps", 0));
+  values.clearcoat = value("Pc", 0);
+  values.coat_roughness = value("Pcr", 0);
+  values.anisotropy = value("aniso", 0);
+  values.rotation = 2 * std::numbers::pi * std::remainder(value("anisor", 0), 1.0);
+  if (index_.value_or(0) >= 1) values.ior = *index_;
+  return values;
 }
 
 bool MtlReader::read_transparency(const Statement& statement) {

@@ -151,6 +151,7 @@ void add_property(aiMaterial& material, const std::string& name, const std::stri
   const std::map<std::string, std::string> numbers = {{"shininess", "$mat.shininess"},
                                                       {"shinpercent", "$mat.shinpercent"},
                                                       {"opacity", "$mat.opacity"},
+                                                      {"metallicFactor", "$mat.metallicFactor"},
                                                       {"roughnessFactor", "$mat.roughnessFactor"}};
   if (colours.contains(name)) {
     add_colour(material, colours.at(name).c_str(), value);
@@ -193,6 +194,24 @@ void expect_assimp_row(const MaterialRule& rule) {
 
 TEST(MaterialRules, OfAssimpHold) {
   for (const MaterialRule& rule : find_format("other")->read_materials) expect_assimp_row(rule);
+}
+
+TEST(AssimpMaterials, KeepPhysicallyBasedParameters) {
+  aiMaterial material;
+  add_colour(material, "$clr.base", "0.75");
+  add_colour(material, "$clr.sheen.factor", "0.25");
+  for (const auto& [key, value] :
+       std::map<std::string, std::string>{{"$mat.roughnessFactor", "0.125"},
+                                          {"$mat.anisotropyFactor", "0.375"},
+                                          {"$mat.clearcoat.factor", "1"},
+                                          {"$mat.clearcoat.roughnessFactor", "0.0625"},
+                                          {"$mat.sheen.roughnessFactor", "0.875"},
+                                          {"$mat.refracti", "1.25"}}) {
+    add_number(material, key.c_str(), value);
+  }
+  EXPECT_EQ(brdf_text(map_material(read_material(material, FbxRules).phong).definition),
+            "gltf baseColor=0.75 roughness=0.125 ior=1.25 anisotropy=0.375 clearcoat=1 coatRoughness=0.0625 "
+            "sheenColor=0.25 sheenRoughness=0.875");
 }
 
 /// What a file is that the format writes of a triangle with the attributes.

@@ -171,8 +171,29 @@ TEST(ObjMaterials, LossesAreCountedInFaces) {
               HasSubstr("2 faces lost an option of their texture"));
   EXPECT_THAT(warnings_of_material("bump a.png\nnorm b.png\n"), HasSubstr("2 faces lost their bump map: "));
   EXPECT_THAT(warnings_of_material("map_Ns a.png\nmap_Ks b.png\n"), HasSubstr("2 faces lost their map of"));
-  EXPECT_THAT(warnings_of_material("Pm 1\n"), HasSubstr("2 faces lost their physically based parameters"));
+  EXPECT_THAT(warnings_of_material("map_Pr a.png\n"), HasSubstr("2 faces lost their map of"));
   EXPECT_THAT(warnings_of_material("Kd 1 1 1\nKm 0.05\n"), IsEmpty());
+}
+
+// The names of the extension, each with what it becomes.
+TEST(ObjMaterials, PhysicallyBasedParametersAreKept) {
+  const std::string obj = "mtllib model.mtl\nusemtl paint\n" + SquareVertices + "f 1 2 3 4\n";
+  const auto brdf_of = [&](const std::string& statements) {
+    const Reading reading = read_obj_text(obj, "newmtl paint\n" + statements);
+    return brdf_text(definitions_of(*reading.scene).at(0));
+  };
+  EXPECT_EQ(
+      brdf_of("Kd 0.8 0.4 0.2\nPr 0.25\nPm 0.5\nPs 0.125\nPc 1\nPcr 0.0625\naniso 0.75\nanisor 0\nNi 1.25\n"),
+      "gltf baseColor=(0.8, 0.4, 0.2) metallic=0.5 roughness=0.25 ior=1.25 anisotropy=0.75 clearcoat=1 "
+      "coatRoughness=0.0625 sheenColor=0.125");
+  EXPECT_EQ(brdf_of("Kd 1\nPM 1\n"), "gltf metallic=1");
+  EXPECT_EQ(brdf_of("Kd 1\nPm 1\naniso 1\nanisor 0.25\n").substr(0, 43),
+            "gltf metallic=1 anisotropy=1 rotation=1.570");
+  EXPECT_EQ(brdf_of("Kd 1\nPm 1\naniso 1\nanisor 0.75\n").substr(0, 44),
+            "gltf metallic=1 anisotropy=1 rotation=-1.570");
+  EXPECT_EQ(brdf_of("Kd 1\nPm 1\nNi 0\n"), "gltf metallic=1") << "an index below that of air says nothing";
+  EXPECT_EQ(brdf_of("Pr 0.5\nmap_Kd a.png\n"), "gltf");
+  EXPECT_EQ(brdf_of("Kd 0.5\nKs 0.25\nNs 40\nNi 1.5\n"), "lewis n=40 ks=0.25 kd=0.5");
 }
 
 TEST(ObjMaterials, TransparencyIsLostHoweverItIsSaid) {
