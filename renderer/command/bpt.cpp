@@ -168,6 +168,33 @@ void add_sample(CLI::App& sample, command::BrdfArguments& arguments) {
       ->type_name("FILE");
 }
 
+void add_export(CLI::App& table, command::BrdfArguments& arguments) {
+  table.add_option("-o,--output", arguments.output, "output file, of MERL (.binary) or RGL (.bsdf)")
+      ->type_name("FILE.binary|FILE.bsdf")
+      ->required();
+  table
+      .add_option(
+          "--for", arguments.reader,
+          "reader of an RGL file: pbrt and mitsuba-spectral take spectra, mitsuba RGB (spectra if the BRDF "
+          "has wavelengths)")
+      ->check(CLI::IsMember({"pbrt", "mitsuba", "mitsuba-spectral"}));
+  table
+      .add_option_function<std::string>(
+          "--resolution",
+          [&arguments](const std::string& text) {
+            arguments.resolution.reset();
+            if (text != "auto") arguments.resolution = std::stod(text);
+          },
+          "factor of the nodes along each axis of an RGL file, or auto: as many as --error needs (1)")
+      ->type_name("N|auto")
+      ->check(CLI::Range(0.1, 4.0) | CLI::IsMember({"auto"}));
+  table
+      .add_option("--error", arguments.largest_error,
+                  "largest mean error for --resolution auto, as a fraction of the mean value (0.02)")
+      ->type_name("E")
+      ->check(CLI::Range(1e-6, 1.0));
+}
+
 void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
   CLI::App* brdf = app.add_subcommand("brdf", "Evaluate, sample, plot or export a BRDF without a scene");
   brdf->require_subcommand(1);
@@ -201,8 +228,8 @@ void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
       ->type_name("THETA[,PHI]")
       ->required();
   add_sample(*add_command("sample", "Sample directions by a sampling scheme", true), arguments);
-  CLI::App* table = add_command("export", "Tabulate the BRDF in the format of the MERL data base", true);
-  table->add_option("-o,--output", arguments.output, "output file")->type_name("FILE.binary")->required();
+  add_export(*add_command("export", "Tabulate the BRDF in the format of the MERL or the RGL data base", true),
+             arguments);
   CLI::App* plot =
       add_command("plot", "Plot lobes, albedo and a lit sphere; with --pdf, a sampling scheme's pdf", true);
   plot->add_option("-o,--output", arguments.output, "output file")

@@ -23,8 +23,6 @@
 #include "renderer/image/image.h"
 #include "renderer/plot/svg.h"
 #include "renderer/reflectance/albedo.h"
-#include "renderer/reflectance/halton.h"
-#include "renderer/reflectance/merl_table.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/reflectance/spectrum.h"
 #include "renderer/studies/brdf_instance.h"
@@ -129,31 +127,6 @@ std::optional<studies::Study> study_of_fit(const std::string& path) {
   return printed([&](Diagnostics& diagnostics) { return studies::study_of(state, {}, diagnostics); });
 }
 
-struct InterpolationError {
-  double largest = 0;  ///< in 1/sr
-  double mean = 0;
-};
-
-/// Measures the error over directions up to 85 degrees from the normal: beyond, models are unbounded.
-InterpolationError interpolation_error(const reflectance::MerlTable& table, const Reflector& reflector) {
-  constexpr std::uint32_t Count = 100'000;
-  constexpr float LeastCosine = 0.0871557F;
-  InterpolationError error;
-  for (std::uint32_t i = 0; i < Count; ++i) {
-    const reflectance::Uniforms xi = reflectance::halton_point(i);
-    const float cosine = 1 - xi.choice * (1 - LeastCosine);
-    const Vec3f u = reflectance::from_angles(cosine, std::sqrt(1 - cosine * cosine), 0);
-    const float other = 1 - xi.direction.x * (1 - LeastCosine);
-    const Vec3f v =
-        reflectance::from_angles(other, std::sqrt(1 - other * other), 2 * reflectance::Pi * xi.direction.y);
-    const Rgb difference = table.linear(reflectance::half_angles(u, v)) - reflector.evaluate(u, v);
-    const double size = std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)});
-    error.largest = std::max(error.largest, size);
-    error.mean += size / Count;
-  }
-  return error;
-}
-
 nlohmann::ordered_json to_json(const grf::ModelInfo& model) {
   nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
   for (const grf::ParameterInfo& parameter : model.parameters) {
@@ -255,35 +228,6 @@ ExitCode print_albedo(const BrdfArguments& arguments) {
     fmt::print("{}\n", json_text(nlohmann::ordered_json{{"albedo", json_array(value)}}, true));
   } else {
     fmt::print("{} {} {}\n", value.x, value.y, value.z);
-  }
-  return ExitCode::Done;
-}
-
-ExitCode export_brdf(const BrdfArguments& arguments) {
-  const auto reflector = reflector_of(arguments);
-  if (!reflector) return ExitCode::BadInput;
-  Diagnostics diagnostics;
-  std::string why_not;
-  if (reflectance::is_anisotropic(reflector->brdf()))
-    why_not = "it is anisotropic, and the MERL format holds isotropic BRDFs only";
-  if (reflectance::has_specular_part(reflector->brdf()))
-    why_not = "its specular (delta) part has no finite value";
-  if (!why_not.empty())
-    diagnostics.error(grf::whole_file(arguments.output), "cannot export the BRDF: " + why_not);
-  const auto value = [&](const Vec3f& u, const Vec3f& v) { return reflector->evaluate(u, v); };
-  const auto table = why_not.empty() ? std::optional(reflectance::MerlTable(value)) : std::nullopt;
-  const bool written = table && table->write(arguments.output, diagnostics);
-  fmt::print(stderr, "{}", diagnostics.to_text());
-  if (!written) return ExitCode::BadInput;
-  const InterpolationError error = interpolation_error(*table, *reflector);
-  if (arguments.json) {
-    const nlohmann::ordered_json result = {{"file", arguments.output},
-                                           {"largest_interpolation_error", error.largest},
-                                           {"mean_interpolation_error", error.mean}};
-    fmt::print("{}\n", json_text(result, true));
-  } else {
-    fmt::print("{}: the interpolation error is {:.2g} on average and {:.2g} at most, in 1/sr\n",
-               arguments.output, error.mean, error.largest);
   }
   return ExitCode::Done;
 }

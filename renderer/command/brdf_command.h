@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,10 @@ struct BrdfArguments {
   std::vector<std::string> views;  ///< for `plot`: `theta,phi` each; empty: 0, 45 and 80 degrees
   std::uint32_t count = 1000;      ///< samples to draw
   std::uint32_t seed = 0;
-  std::string fit;  ///< path of the FIT file to write; empty: none
+  std::string reader;  ///< of an exported RGL file: `pbrt`, `mitsuba`, `mitsuba-spectral`, or empty
+  std::optional<double> resolution = 1;  ///< of an exported RGL file; empty: as fine as `largest_error` needs
+  double largest_error = 0.02;           ///< mean interpolation error as a fraction of the mean value
+  std::string fit;                       ///< path of the FIT file to write; empty: none
   bool json = false;
 };
 
@@ -40,8 +44,8 @@ grf::ExitCode sample_brdf(const BrdfArguments& arguments);
 /// scheme, plots its pdf and samples instead.
 grf::ExitCode plot_brdf(const BrdfArguments& arguments);
 
-/// Tabulates the BRDF as a file of the MERL data base, and reports the largest and mean interpolation error
-/// against the BRDF itself.
+/// Tabulates the BRDF as a file of the MERL or, if the output's name ends in `.bsdf`, of the RGL data base,
+/// and reports the largest and mean interpolation error against the BRDF itself.
 grf::ExitCode export_brdf(const BrdfArguments& arguments);
 
 }  // namespace command

@@ -169,4 +169,41 @@ std::optional<TensorFile> TensorFile::load(const std::string& path, grf::Diagnos
   return file;
 }
 
+void TensorFileMaker::add(const std::string& name, const std::vector<std::size_t>& shape,
+                          const std::vector<float>& values) {
+  std::string bytes(values.size() * sizeof(float), '\0');
+  if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+  entries_.push_back({name, ElementType::Float32, shape, std::move(bytes)});
+}
+
+void TensorFileMaker::add(const std::string& name, const std::string& bytes) {
+  entries_.push_back({name, ElementType::UInt8, {bytes.size()}, bytes});
+}
+
+std::string TensorFileMaker::bytes() const {
+  std::string file(Magic);
+  const auto put = [&file](auto number) {
+    file.append(reinterpret_cast<const char*>(&number), sizeof(number));
+  };
+  put(std::uint8_t{1});
+  put(std::uint8_t{0});
+  put(static_cast<std::uint32_t>(entries_.size()));
+  std::uint64_t offset = file.size();
+  for (const Entry& entry : entries_) {
+    constexpr std::size_t NumbersOfAnArray = 2 + 2 + 1 + 8;
+    offset += NumbersOfAnArray + entry.name.size() + 8 * entry.shape.size();
+  }
+  for (const Entry& entry : entries_) {
+    put(static_cast<std::uint16_t>(entry.name.size()));
+    file += entry.name;
+    put(static_cast<std::uint16_t>(entry.shape.size()));
+    put(static_cast<std::uint8_t>(entry.type));
+    put(offset);
+    for (const std::size_t extent : entry.shape) put(std::uint64_t{extent});
+    offset += entry.bytes.size();
+  }
+  for (const Entry& entry : entries_) file += entry.bytes;
+  return file;
+}
+
 }  // namespace reflectance

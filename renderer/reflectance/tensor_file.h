@@ -69,4 +69,24 @@ class TensorFile {
   std::map<std::string, Tensor, std::less<>> tensors_;
 };
 
+/// Makes the bytes of a tensor file from arrays.
+class TensorFileMaker {
+ public:
+  /// Adds an array of numbers, the last index fastest; the shape must have as many elements.
+  void add(const std::string& name, const std::vector<std::size_t>& shape, const std::vector<float>& values);
+  /// Adds an array of bytes.
+  void add(const std::string& name, const std::string& bytes);
+
+  std::string bytes() const;
+
+ private:
+  struct Entry {
+    std::string name;
+    ElementType type = ElementType::UInt8;
+    std::vector<std::size_t> shape;
+    std::string bytes;
+  };
+  std::vector<Entry> entries_;
+};
+
 }  // namespace reflectance

@@ -76,7 +76,7 @@ TEST_F(BptBrdf, EvaluatesTheWavelengthsThatAreAskedFor) {
   EXPECT_EQ(json({"eval", smooth, "--u", "0.3", "--v", "0.4,3"})["wavelengths"],
             (std::vector<double>{450, 550, 650}));
   expect_failure({"eval", "ggx", "--u", "0", "--v", "0", "--wavelengths", "500"}, 2, "RGB alone");
-  expect_failure({"eval", smooth, "--u", "0", "--v", "0", "--wavelengths", "-5"}, 2, "--wavelengths");
+  expect_failure({"eval", smooth, "--u", "0", "--v", "0", "--wavelengths", "0"}, 2, "--wavelengths");
 }
 
 TEST_F(BptBrdf, EvaluatesOnePair) {
@@ -229,6 +229,53 @@ TEST_F(BptBrdf, ExportsATableThatIsReadAsMeasuredData) {
   const std::string measured = "measured \"" + table + "\"";
   const std::string u = "0.5";
   EXPECT_NEAR(albedo(measured, u)[1], albedo(blinn, u)[1], 2e-3);
+}
+
+TEST_F(BptBrdf, ExportsAFileOfTheRglDataBase) {
+  const std::string file = folder_.path("ward.bsdf");
+  const std::string ward = "ward sx=0.2 sy=0.4 ks=0.4 kd=(0.3, 0.2, 0.1)";
+  const nlohmann::json result = json({"export", ward, "-o", file, "--resolution", "0.5"});
+  EXPECT_EQ(result["file"], file);
+  EXPECT_LT(result["relative_error"].get<double>(), 0.1);
+  EXPECT_LT(result["mean_interpolation_error"].get<double>(), result["largest_interpolation_error"]);
+  ASSERT_EQ(result["albedos"].size(), 4U);
+  const std::string measured = "rgl \"" + file + "\"";
+  for (const nlohmann::json& pair : result["albedos"]) {
+    const std::string u = std::to_string(pair["degrees"].get<double>() * std::numbers::pi / 180);
+    EXPECT_NEAR(albedo(ward, u)[0], pair["albedo"][0], 1e-4);
+    EXPECT_NEAR(albedo(measured, u)[0], pair["of_file"][0], 1e-4);
+    EXPECT_NEAR(pair["albedo"][0].get<double>(), pair["of_file"][0], 0.05);
+  }
+}
+
+TEST_F(BptBrdf, ExportsAsFineAsTheErrorNeeds) {
+  const std::string file = folder_.path("a.bsdf");
+  const auto exported = [&](const std::string& error) {
+    return json({"export", "ggx alpha=0.4 ks=0.8", "-o", file, "--resolution", "auto", "--error", error});
+  };
+  const nlohmann::json coarse = exported("0.2");
+  const nlohmann::json fine = exported("0.02");
+  EXPECT_EQ(coarse["resolution"], 1);
+  EXPECT_LE(fine["relative_error"].get<double>(), 0.02);
+  std::filesystem::remove(file);
+  expect_failure({"export", "ggx alpha=0.02", "-o", file, "--resolution", "auto", "--error", "0.00001"}, 1,
+                 "--error 1e-05 is not reached");
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+// pbrt reads spectra only, and Mitsuba's RGB variants read RGB only.
+TEST_F(BptBrdf, ExportsForReaders) {
+  const auto holds = [&](const std::vector<std::string>& more, const std::string& array) {
+    std::vector<std::string> arguments = {
+        "export", "diffuse kd=0.5", "-o", folder_.path("a.bsdf"), "--resolution", "0.25"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    json(arguments);
+    return test::bytes_of(folder_.path("a.bsdf")).find(array) != std::string::npos;
+  };
+  EXPECT_TRUE(holds({"--for", "pbrt"}, "spectra"));
+  EXPECT_TRUE(holds({"--for", "mitsuba-spectral"}, "spectra"));
+  EXPECT_FALSE(holds({"--for", "mitsuba"}, "spectra"));
+  EXPECT_FALSE(holds({}, "spectra"));
 }
 
 // Names of files are bytes, and JSON is text in UTF-8.

@@ -1,0 +1,216 @@
+// `bpt brdf export` tabulates a BRDF in a format of measured data, and states how far the table is from it.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "grf/text_file.h"
+#include "renderer/command/brdf_command.h"
+#include "renderer/command/json_values.h"
+#include "renderer/command/printed.h"
+#include "renderer/image/image.h"
+#include "renderer/reflectance/albedo.h"
+#include "renderer/reflectance/halton.h"
+#include "renderer/reflectance/merl_table.h"
+#include "renderer/reflectance/rgl_tables.h"
+#include "renderer/reflectance/rgl_writer.h"
+#include "renderer/reflectance/scheme.h"
+#include "renderer/reflectance/spectrum.h"
+#include "renderer/studies/brdf_instance.h"
+
+namespace command {
+namespace {
+
+using grf::Diagnostics;
+using grf::ExitCode;
+using reflectance::Reflector;
+using reflectance::Rgb;
+using reflectance::Vec3f;
+
+using Value = std::function<Rgb(const Vec3f& u, const Vec3f& v)>;
+
+struct InterpolationError {
+  double largest = 0;   ///< in 1/sr
+  double mean = 0;      ///< in 1/sr
+  double relative = 0;  ///< the mean as a fraction of the BRDF's mean
+};
+
+/// Measures the error over directions up to 85 degrees from the normal: beyond, models are unbounded.
+InterpolationError interpolation_error(const Value& table, const Reflector& reflector) {
+  constexpr std::uint32_t Count = 100'000;
+  constexpr float LeastCosine = 0.0871557F;
+  constexpr double GoldenRatio = 0.6180339887498949;
+  const bool is_anisotropic = reflectance::is_anisotropic(reflector.brdf());
+  InterpolationError error;
+  double mean_value = 0;
+  for (std::uint32_t i = 0; i < Count; ++i) {
+    const reflectance::Uniforms xi = reflectance::halton_point(i);
+    const float cosine = 1 - xi.choice * (1 - LeastCosine);
+    const auto turns = static_cast<float>(std::fmod(i * GoldenRatio, 1.0));
+    const float azimuth = is_anisotropic ? 2 * reflectance::Pi * turns : 0;
+    const Vec3f u = reflectance::from_angles(cosine, std::sqrt(1 - cosine * cosine), azimuth);
+    const float other = 1 - xi.direction.x * (1 - LeastCosine);
+    const Vec3f v = reflectance::from_angles(other, std::sqrt(1 - other * other),
+                                             azimuth + 2 * reflectance::Pi * xi.direction.y);
+    const Rgb value = reflector.evaluate(u, v);
+    const Rgb difference = table(u, v) - value;
+    const double size = std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)});
+    error.largest = std::max(error.largest, size);
+    error.mean += size / Count;
+    mean_value += double(std::max({value.x, value.y, value.z})) / Count;
+  }
+  error.relative = mean_value > 0 ? error.mean / mean_value : 0;
+  return error;
+}
+
+/// Directional albedos of a BRDF and of its table.
+struct AlbedoPair {
+  double degrees = 0;  ///< of the view from the normal
+  Rgb albedo;
+  Rgb table_albedo;
+};
+
+std::vector<AlbedoPair> albedos_of(const Reflector& reflector, const Reflector& table) {
+  std::vector<AlbedoPair> pairs;
+  for (const double degrees : {0.0, 30.0, 60.0, 80.0}) {
+    const double theta = degrees * double(reflectance::Pi) / 180;
+    const Vec3f u(static_cast<float>(std::sin(theta)), 0, static_cast<float>(std::cos(theta)));
+    const Rgb without_delta =
+        reflectance::albedo(reflector, u) - reflectance::specular_weight(reflector.brdf(), u);
+    pairs.push_back({degrees, without_delta, reflectance::albedo(table, u)});
+  }
+  return pairs;
+}
+
+/// The result of an export, as it is printed.
+struct Exported {
+  InterpolationError error;
+  std::vector<AlbedoPair> albedos;  ///< empty for MERL
+  double resolution = 0;            ///< of an RGL file; 0 for MERL
+};
+
+void print(const Exported& exported, const BrdfArguments& arguments) {
+  const InterpolationError& error = exported.error;
+  if (!arguments.json) {
+    fmt::print("{}: the interpolation error is {:.2g} on average and {:.2g} at most, in 1/sr\n",
+               arguments.output, error.mean, error.largest);
+    if (exported.albedos.empty()) return;
+    fmt::print("the average is {:.2g} % of the mean value, at resolution {:.3g}\n", 100 * error.relative,
+               exported.resolution);
+    for (const AlbedoPair& pair : exported.albedos) {
+      fmt::print("albedo at {} degrees: {:.4f} {:.4f} {:.4f}, of the file {:.4f} {:.4f} {:.4f}\n",
+                 pair.degrees, pair.albedo.x, pair.albedo.y, pair.albedo.z, pair.table_albedo.x,
+                 pair.table_albedo.y, pair.table_albedo.z);
+    }
+    return;
+  }
+  nlohmann::ordered_json result = {{"file", arguments.output},
+                                   {"largest_interpolation_error", error.largest},
+                                   {"mean_interpolation_error", error.mean}};
+  if (!exported.albedos.empty()) {
+    result["relative_error"] = error.relative;
+    result["resolution"] = exported.resolution;
+    result["albedos"] = nlohmann::ordered_json::array();
+    for (const AlbedoPair& pair : exported.albedos) {
+      result["albedos"].push_back({{"degrees", pair.degrees},
+                                   {"albedo", json_array(pair.albedo)},
+                                   {"of_file", json_array(pair.table_albedo)}});
+    }
+  }
+  fmt::print("{}\n", json_text(result, true));
+}
+
+std::optional<Exported> export_merl(const Reflector& reflector, const std::string& path,
+                                    Diagnostics& diagnostics) {
+  std::string why_not;
+  if (reflectance::is_anisotropic(reflector.brdf()))
+    why_not = "it is anisotropic, and the MERL format holds isotropic BRDFs only";
+  if (reflectance::has_specular_part(reflector.brdf()))
+    why_not = "its specular (delta) part has no finite value";
+  if (!why_not.empty()) {
+    diagnostics.error(grf::whole_file(path), "cannot export the BRDF: " + why_not);
+    return std::nullopt;
+  }
+  const reflectance::MerlTable table(
+      [&](const Vec3f& u, const Vec3f& v) { return reflector.evaluate(u, v); });
+  if (!table.write(path, diagnostics)) return std::nullopt;
+  const auto value = [&](const Vec3f& u, const Vec3f& v) {
+    return table.linear(reflectance::half_angles(u, v));
+  };
+  return Exported{interpolation_error(value, reflector), {}, 0};
+}
+
+/// Reads a file's bytes as `rgl` does.
+Reflector reflector_of_file(std::string bytes) {
+  std::string problem;
+  const auto file =
+      reflectance::TensorFile::parse(std::make_shared<const std::string>(std::move(bytes)), problem);
+  auto tables = file ? reflectance::read_rgl_tables(*file, problem) : std::nullopt;
+  if (!tables) throw std::logic_error("the file that was made cannot be read: " + problem);
+  reflectance::Rgl rgl;
+  rgl.data = std::make_shared<const reflectance::RglData>(*std::move(tables));
+  return {rgl, reflectance::OwnScheme()};
+}
+
+/// Makes a file of the RGL data base, of which readers differ: pbrt takes spectra only, and Mitsuba 3 spectra
+/// in its spectral variants and RGB in the others.
+std::optional<Exported> export_rgl(const Reflector& reflector, const BrdfArguments& arguments,
+                                   Diagnostics& diagnostics) {
+  constexpr double Finer = 1.5;
+  constexpr double Finest = 4;
+  const bool is_spectral = arguments.reader.empty() ? !reflectance::wavelengths_of(reflector.brdf()).empty()
+                                                    : arguments.reader != "mitsuba";
+  const auto colours = is_spectral ? reflectance::RglColours::Spectra : reflectance::RglColours::LinearSrgb;
+  const grf::SourceLocation location = grf::whole_file(arguments.output);
+  if (reflectance::has_specular_part(reflector.brdf()))
+    diagnostics.warning(location, "the specular (delta) part is left out: a second material has to add it");
+  Exported exported;
+  exported.resolution = arguments.resolution.value_or(1);
+  for (;; exported.resolution *= Finer) {
+    const std::string bytes =
+        reflectance::rgl_file_of(reflector.brdf(), reflectance::RglResolution().times(exported.resolution),
+                                 colours, "made by Granada of " + arguments.instance);
+    const Reflector table = reflector_of_file(bytes);
+    exported.error =
+        interpolation_error([&](const Vec3f& u, const Vec3f& v) { return table.evaluate(u, v); }, reflector);
+    const bool is_fine = arguments.resolution || exported.error.relative <= arguments.largest_error;
+    if (!is_fine && exported.resolution * Finer <= Finest) continue;
+    if (!is_fine) {
+      diagnostics.error(location,
+                        fmt::format("the error is {:.2g} of the mean value at the finest resolution, {:.3g}; "
+                                    "--error {} is not reached",
+                                    exported.error.relative, exported.resolution, arguments.largest_error));
+      return std::nullopt;
+    }
+    if (!grf::replace_file(arguments.output, bytes, diagnostics)) return std::nullopt;
+    exported.albedos = albedos_of(reflector, table);
+    return exported;
+  }
+}
+
+}  // namespace
+
+ExitCode export_brdf(const BrdfArguments& arguments) {
+  const auto reflector = printed(
+      [&](Diagnostics& diagnostics) { return studies::read_instance(arguments.instance, diagnostics); });
+  if (!reflector) return ExitCode::BadInput;
+  Diagnostics diagnostics;
+  const bool is_rgl = image::has_extension(arguments.output, "bsdf");
+  const auto exported = is_rgl ? export_rgl(*reflector, arguments, diagnostics)
+                               : export_merl(*reflector, arguments.output, diagnostics);
+  fmt::print(stderr, "{}", diagnostics.to_text());
+  if (!exported) return ExitCode::BadInput;
+  print(*exported, arguments);
+  return ExitCode::Done;
+}
+
+}  // namespace command
