@@ -50,7 +50,7 @@ ordered_json json_of_row(const CostLineResult& result, const CostRow& row) {
   return json;
 }
 
-ordered_json json_of(const std::optional<CostEfficiency>& efficiency) {
+ordered_json json_of_efficiency(const std::optional<CostEfficiency>& efficiency) {
   if (!efficiency) return nullptr;
   return {{"value", efficiency->value}, {"low", efficiency->low}, {"high", efficiency->high}};
 }
@@ -71,13 +71,13 @@ ordered_json json_of_fit(const CostLineResult& result) {
   json["rows_used"] = result.fit.used.size();
   json["factor"] = number_or_null(factor_of(result.fit.over_seconds));
   json["factor_over_samples"] = number_or_null(factor_of(result.fit.over_samples));
-  json["efficiency"] = json_of(result.efficiency);
+  json["efficiency"] = json_of_efficiency(result.efficiency);
   json["op"] = op_lines_of(result.line);
   json["grf"] = result.line.scheme ? ordered_json(grf::to_text(*result.line.scheme)) : ordered_json(nullptr);
   return json;
 }
 
-ordered_json json_of(const std::optional<transport::CropWindow>& crop) {
+ordered_json json_of_crop(const std::optional<transport::CropWindow>& crop) {
   if (!crop) return nullptr;
   return {crop->x, crop->y, crop->width, crop->height};
 }
@@ -249,7 +249,7 @@ std::string json_of(const CostResult& result, bool is_one_line) {
   json["height"] = result.height;
   json["threads"] = result.conditions.threads;
   json["has_centred_rays"] = result.conditions.has_centred_rays;
-  json["crop"] = json_of(result.crop);
+  json["crop"] = json_of_crop(result.crop);
   json["fingerprint"] = result.conditions.fingerprint;
   json["reference"] = json_of_reference(result);
   json["rows"] = ordered_json::array();
