@@ -41,17 +41,19 @@ Token Lexer::next() {
   return token;
 }
 
-Token Lexer::peek_second() {
+/// Scans this many tokens behind the next one, and returns the last of them.
+Token Lexer::scan_ahead(int count) {
   const char* position = position_;
   const char* line_begin = line_begin_;
   const std::uint32_t line = line_;
   const std::size_t comments = comments_.size();
-  const Token second = scan();
+  Token token;
+  for (int i = 0; i < count; ++i) token = scan();
   position_ = position;
   line_begin_ = line_begin;
   line_ = line;
   comments_.resize(comments);
-  return second;
+  return token;
 }
 
 // Calls `take_number` at each number of the list; it returns the end of the number, or null. Returns

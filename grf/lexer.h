@@ -38,8 +38,9 @@ class Lexer {
 
   const Token& peek() const { return ahead_; }
   Token next();
-  /// Returns the second token of lookahead. Costs a second scan: not for lists of numbers.
-  Token peek_second();
+  /// Returns the second token of lookahead, or the third. Costs a second scan: not for lists of numbers.
+  Token peek_second() { return scan_ahead(1); }
+  Token peek_third() { return scan_ahead(2); }
 
   /// Reads `(a, b, c)` at once if the next token begins it, on one line, and it has no special case (a
   /// comment, a suffix, a number out of range). This is a fast path: most of a large scene is such lists, and
@@ -61,6 +62,7 @@ class Lexer {
  private:
   void skip_space_and_comments();
   Token scan();
+  Token scan_ahead(int count);
   Token scan_number();
   Token scan_string(std::string_view quote);
   template <class TakeNumber>

@@ -127,6 +127,7 @@ class Parser {
   bool parse_model(PdfModel& pdf, std::optional<NextDefinition>* next);
   bool parse_keyword(Model& model);
   bool parse_arguments(Model& model, std::optional<NextDefinition>* next);
+  bool at_definition_body(bool may_be_name);
   bool parse_value(const Token& name, Value& value);
   bool parse_terms(std::vector<CombineTerm>& terms);
   bool parse_layered(BrdfModel& brdf, std::optional<NextDefinition>* next);

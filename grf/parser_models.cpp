@@ -19,6 +19,12 @@ bool is_word_as_value(const Token& token) {
   return token.kind == TokenKind::Word && is_value_word(token.text);
 }
 
+bool is_layer(std::string_view keyword, std::string_view parameter) {
+  const auto names = layer_names(keyword);
+  return std::any_of(names.begin(), names.end(),
+                     [parameter](std::string_view layer) { return same_keyword(layer, parameter); });
+}
+
 bool starts_value(const Token& token) {
   return token.kind == TokenKind::Number || token.is('(') || is_boolean(token) || is_word_as_value(token);
 }
@@ -89,24 +95,43 @@ bool Parser::parse_arguments(Model& model, std::optional<NextDefinition>* next) 
     const std::uint32_t line_before = lexer_.line_of_last();
     const Token name = lexer_.next();
     lexer_.next();
-    if (next != nullptr && starts_definition_body(lexer_.peek())) {
+    const bool names_layer = is_layer(model.keyword, name.text);
+    if (next != nullptr && at_definition_body(names_layer)) {
       *next = NextDefinition{name, line_before};
       return true;
     }
-    if (next != nullptr && !starts_value(lexer_.peek())) {
+    if (next != nullptr && !starts_value(lexer_.peek()) && !(names_layer && at_identifier())) {
       return fail_expected(
           fmt::format("a value for the parameter '{0}' of '{1}', or 'rgb', 'brdf', 'pdf', 'texture' or "
                       "'begin mesh' for a definition called '{0}'",
                       name.text, model.keyword));
     }
     Argument argument{std::string(name.text), {}, lexer_.location(name)};
-    if (!parse_value(name, argument.value)) return false;
+    if (names_layer && at_identifier()) {
+      argument.value = Word{std::string(lexer_.next().text)};
+    } else if (!parse_value(name, argument.value)) {
+      return false;
+    }
     if (const auto* word = std::get_if<Word>(&argument.value); next != nullptr && word != nullptr) {
       context_.word_parameters.try_emplace(argument.name, word->text);
     }
     model.arguments.push_back(std::move(argument));
   }
   return true;
+}
+
+// A definition may be called as a keyword, such as `rgb` or `brdf`: the name of a layer is told from the body
+// of the next definition by what follows.
+bool Parser::at_definition_body(bool may_be_name) {
+  const Token& first = lexer_.peek();
+  if (!starts_definition_body(first) || !may_be_name || !at_identifier())
+    return starts_definition_body(first);
+  const Token second = lexer_.peek_second();
+  if (is_colour_keyword(first.text)) return second.is('(') || second.kind == TokenKind::Number;
+  if (second.kind == TokenKind::String || same_keyword(first.text, "texture"))
+    return second.kind == TokenKind::String;
+  return second.kind == TokenKind::Word && !same_keyword(second.text, "begin") &&
+         !lexer_.peek_third().is('=');
 }
 
 bool Parser::parse_value(const Token& name, Value& value) {

@@ -57,6 +57,37 @@ TEST(Definitions, TakeOtherWordsForValues) {
   EXPECT_EQ(definitions[3].name, "mode");
 }
 
+std::vector<std::string> layers_of(const Definition& definition) {
+  std::vector<std::string> names;
+  for (const CombineTerm& term : std::get<BrdfModel>(definition.body).terms) names.push_back(term.brdf.name);
+  return names;
+}
+
+// Any name can be a layer's, also one that is a keyword elsewhere; what follows tells it from a definition.
+TEST(Definitions, NameLayersThatAreCalledAsKeywords) {
+  const Scene scene = scene_of(
+      "def rgb = brdf diffuse texture = brdf diffuse brdf = brdf diffuse pdf = brdf diffuse "
+      "a = brdf layer base=rgb top=brdf b = brdf layer base=texture top=pdf c = brdf coat base=brdf ior=1.4 "
+      "d = brdf layer top=pdf base=rgb base = rgb (1, 0, 0) top = texture \"a.png\" "
+      "e = brdf coat base=pdf begin "
+      "begin mesh brdf layer base=rgb top=texture texture \"b.png\" begin vertexs end begin faces end end "
+      "end");
+  const auto& scope = block<DefinitionScope>(scene.contents);
+  std::vector<std::string> names;
+  for (const Definition& definition : scope.definitions) names.push_back(definition.name);
+  ASSERT_THAT(names, ElementsAre("rgb", "texture", "brdf", "pdf", "a", "b", "c", "d", "base", "top", "e"));
+  EXPECT_THAT(layers_of(scope.definitions[4]), ElementsAre("rgb", "brdf"));
+  EXPECT_THAT(layers_of(scope.definitions[5]), ElementsAre("texture", "pdf"));
+  EXPECT_THAT(layers_of(scope.definitions[6]), ElementsAre("brdf"));
+  EXPECT_THAT(layers_of(scope.definitions[7]), ElementsAre("rgb", "pdf"));
+  EXPECT_THAT(layers_of(scope.definitions[10]), ElementsAre("pdf"));
+  const Surface& surface = block<Shared<Mesh>>(scope.body)->surfaces.front();
+  EXPECT_EQ(std::get<BrdfModel>(*surface.brdf).terms.size(), 2U);
+  EXPECT_TRUE(surface.texture.has_value());
+  EXPECT_THAT(names_in("def a = brdf diffuse b = brdf coat base=a base = brdf ward sx=1 top = pdf diffuse"),
+              ElementsAre("a", "b", "base", "top"));
+}
+
 // Reading ends before `check` could explain the parameter.
 TEST(Definitions, SayWhatWasTakenForAParameter) {
   EXPECT_EQ(
