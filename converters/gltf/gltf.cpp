@@ -36,8 +36,7 @@ Format common() {
       "coats, sheen and anisotropy, emission";
   format.loses =
       "maps other than of the base colour, transparency, points, lines, cameras, cones of spot lights, "
-      "animations; "
-      "for other programs: BRDFs that are not metallic-roughness, sampling schemes, irradiance";
+      "animations; for other programs: BRDFs that are not metallic-roughness, sampling schemes, irradiance";
   format.read_materials = gltf_material_rules();
   format.written_materials = gltf_material_writer_rules();
   return format;

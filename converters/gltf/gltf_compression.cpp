@@ -71,36 +71,34 @@ struct MeshoptView {
 
 /// Writes the values of all points of an attribute as numbers of one type, one after the other.
 template <class Number>
-bool append_values(const draco::PointAttribute& attribute, std::size_t points,
-                   std::vector<unsigned char>& bytes) {
+bool write_values(const draco::PointAttribute& attribute, std::size_t points,
+                  std::vector<unsigned char>& bytes) {
   const auto components = static_cast<std::size_t>(attribute.num_components());
   std::vector<Number> values(components);
-  const std::size_t first = bytes.size();
-  bytes.resize(first + points * components * sizeof(Number));
+  bytes.resize(points * components * sizeof(Number));
   for (std::size_t i = 0; i < points; ++i) {
     const auto point = draco::PointIndex(static_cast<std::uint32_t>(i));
     if (!attribute.ConvertValue<Number>(attribute.mapped_index(point), values.data())) return false;
-    std::memcpy(bytes.data() + first + i * components * sizeof(Number), values.data(),
-                components * sizeof(Number));
+    std::memcpy(bytes.data() + i * components * sizeof(Number), values.data(), components * sizeof(Number));
   }
   return true;
 }
 
-bool append_values(const draco::PointAttribute& attribute, int component_type, std::size_t points,
-                   std::vector<unsigned char>& bytes) {
+bool write_values(const draco::PointAttribute& attribute, int component_type, std::size_t points,
+                  std::vector<unsigned char>& bytes) {
   switch (component_type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-      return append_values<std::int8_t>(attribute, points, bytes);
+      return write_values<std::int8_t>(attribute, points, bytes);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
-      return append_values<std::uint8_t>(attribute, points, bytes);
+      return write_values<std::uint8_t>(attribute, points, bytes);
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-      return append_values<std::int16_t>(attribute, points, bytes);
+      return write_values<std::int16_t>(attribute, points, bytes);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
-      return append_values<std::uint16_t>(attribute, points, bytes);
+      return write_values<std::uint16_t>(attribute, points, bytes);
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-      return append_values<std::uint32_t>(attribute, points, bytes);
+      return write_values<std::uint32_t>(attribute, points, bytes);
     case TINYGLTF_COMPONENT_TYPE_FLOAT:
-      return append_values<float>(attribute, points, bytes);
+      return write_values<float>(attribute, points, bytes);
     default:
       return false;
   }
@@ -236,7 +234,7 @@ class Decompressor {
     const auto components = static_cast<std::size_t>(attribute.num_components());
     if (!spend(points, components * sizeof(float))) return false;
     std::vector<unsigned char> bytes;
-    if (!append_values(attribute, type, points, bytes))
+    if (!write_values(attribute, type, points, bytes))
       return fail(fmt::format("accessor {}: its compressed values do not fit its type", accessor));
     return replace(accessor, type, points, std::move(bytes));
   }

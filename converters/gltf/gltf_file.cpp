@@ -254,8 +254,7 @@ class Loader {
     if (std::find(required.begin(), required.end(), "KHR_texture_basisu") != required.end()) {
       fail(
           "the file requires KHR_texture_basisu: its textures are KTX2 images, which cannot be read; save "
-          "the "
-          "model with PNG, JPEG or WebP textures");
+          "the model with PNG, JPEG or WebP textures");
       return false;
     }
     std::vector<std::string> skipped;

@@ -95,10 +95,10 @@ bool is_valid(const grf::Colour& radiance) {
 
 }  // namespace
 
+bool GltfLights::has_light(const tinygltf::Node& node) { return node.extensions.contains(Lights); }
+
 void GltfLights::take(const tinygltf::Node& node, const grf::Matrix44d& to_scene) {
-  const auto extension = node.extensions.find(Lights);
-  if (extension == node.extensions.end()) return;
-  const tinygltf::Value& value = extension->second;
+  const tinygltf::Value& value = node.extensions.at(Lights);
   const int index = value.Has("light") && value.Get("light").IsInt() ? value.Get("light").Get<int>() : -1;
   grf::Vec3d towards;
   to_scene.multDirMatrix(grf::Vec3d(0, 0, -1), towards);

@@ -15,15 +15,15 @@ namespace convert {
 ///
 /// - A point light is an icosahedron of radius 0.05 m, or 1/200 of the scene's diagonal if that is less. Its
 ///   radiance is that of a sphere with this intensity in the mean over all directions.
-/// - A spot light is a disc of that radius. On its axis it has the intensity of the light, whose cone is
-/// lost.
-/// - A directional light is a disc at a distance of 100 diagonals, as large as the sun (0.533 degrees
-/// across).
+/// - A spot light is a disc of that radius. On its axis it has the light's intensity; the cone is lost.
+/// - A directional light is a disc as large as the sun (0.533 degrees across), 100 diagonals away.
 class GltfLights {
  public:
   GltfLights(const GltfFile& file, Losses& losses) : file_(file), losses_(losses) {}
 
-  /// Takes a node's light, if it has one, with the node's transform to the scene.
+  static bool has_light(const tinygltf::Node& node);
+
+  /// Takes the light of a node that has one, with the node's transform to the scene.
   void take(const tinygltf::Node& node, const grf::Matrix44d& to_scene);
 
   bool empty() const { return placed_.empty(); }

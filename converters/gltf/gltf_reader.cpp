@@ -108,7 +108,7 @@ class SceneReader {
     if (source.mesh >= 0 && source.skin < 0) ++shapes_[form_of(source)].uses;
     if (source.mesh >= 0) meshes_placed_.insert(source.mesh);
     if (source.camera >= 0) losses_.add(Loss::Camera);
-    lights_.take(source, nodes_.to_scene(index));
+    if (GltfLights::has_light(source)) lights_.take(source, nodes_.to_scene(index));
     for (const int child : source.children) count_uses(child);
   }
 
