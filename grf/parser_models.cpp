@@ -100,14 +100,15 @@ bool Parser::parse_arguments(Model& model, std::optional<NextDefinition>* next) 
       *next = NextDefinition{name, line_before};
       return true;
     }
-    if (next != nullptr && !starts_value(lexer_.peek()) && !(names_layer && at_identifier())) {
+    const bool at_layer = names_layer && at_identifier();
+    if (next != nullptr && !starts_value(lexer_.peek()) && !at_layer) {
       return fail_expected(
           fmt::format("a value for the parameter '{0}' of '{1}', or 'rgb', 'brdf', 'pdf', 'texture' or "
                       "'begin mesh' for a definition called '{0}'",
                       name.text, model.keyword));
     }
     Argument argument{std::string(name.text), {}, lexer_.location(name)};
-    if (names_layer && at_identifier()) {
+    if (at_layer) {
       argument.value = Word{std::string(lexer_.next().text)};
     } else if (!parse_value(name, argument.value)) {
       return false;

@@ -1,7 +1,6 @@
 #include "renderer/command/brdf_command.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
