@@ -23,8 +23,7 @@ double student_quantile(double freedom);
 /// The interval. The estimated and the true error are both roots of sums of squares with about N degrees of
 /// freedom, where N grows with (sum of var)^2 / sum of var^2, the number of pixels that the error is spread
 /// over: so the square of their ratio has the distribution F(N, N). If a handful of pixels make up the error,
-/// it is hardly known. The uncertainty of the denominators, which does not shrink with more pixels, is added
-/// to the upper bound only, since noise in the denominators makes the error seem smaller.
+/// it is hardly known.
 ///
 /// Edge pixels. Few samples of each half hit the bright side of an edge pixel, so that the halves differ by 0
 /// or by a whole hit: d^2 is unbiased, but where a few pixels make up the error, it is 0 or several times too

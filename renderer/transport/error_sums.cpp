@@ -192,16 +192,6 @@ double edge_error(const Surroundings& around, double mean, double samples) {
   return variance / (mean * mean + RelmseFloor);
 }
 
-/// Adds a value that no sample seems to have hit, though its neighbour is so bright that one hit would more
-/// than double it.
-void add_untouched(const Surroundings& around, double mean, double samples, ErrorSums::Untouched& untouched) {
-  const double hit = (around.brightest - mean) / samples;
-  const double contrast = hit / (mean + std::sqrt(RelmseFloor));
-  if (contrast <= 1 || mean - around.darkest >= hit / 2) return;
-  untouched.contrasts += contrast;
-  untouched.squares += contrast * contrast;
-}
-
 /// The value of a pixel, if it is in the rectangle and its neighbour on the bright side is bright.
 class EdgeSide {
  public:
@@ -314,13 +304,9 @@ std::optional<ValueError> add_value(const PixelMoments& pixels, const PixelValue
     if (around.darkest < std::sqrt(RelmseFloor)) ++sums.outliers.on_black;
     const double agreement = 1 - variance / (excess * excess);
     sums.outliers.agreement += agreement;
-    if (agreement > SteadyAgreement) {
-      ++sums.outliers.steady;
-      sums.outliers.contrasts += excess * excess / (mean * mean + RelmseFloor);
-    }
+    if (agreement > SteadyAgreement) ++sums.outliers.steady;
   }
   sums.touched.unseen += unseen_error(around, mean, pixels.samples);
-  add_untouched(around, mean, pixels.samples, sums.untouched);
   if (!is_lone) {
     if (const auto error = error_along_edge(pixels, value, around)) return ValueError{*error, true};
   }
@@ -356,17 +342,13 @@ ErrorSums& ErrorSums::add(const ErrorSums& other, double factor) {
   edges.errors += factor * other.edges.errors;
   edges.expected += factor * other.edges.expected;
   edges.squares += factor * other.edges.squares;
-  denominator_uncertainty += factor * other.denominator_uncertainty;
   touched.errors += factor * other.touched.errors;
   touched.logarithms += factor * other.touched.logarithms;
   touched.bounds += factor * other.touched.bounds;
   touched.unseen += factor * other.touched.unseen;
-  untouched.contrasts += factor * other.untouched.contrasts;
-  untouched.squares += factor * other.untouched.squares;
   outliers.count += factor * other.outliers.count;
   outliers.agreement += factor * other.outliers.agreement;
   outliers.steady += factor * other.outliers.steady;
-  outliers.contrasts += factor * other.outliers.contrasts;
   outliers.on_black += factor * other.outliers.on_black;
   outliers.own += factor * other.outliers.own;
   outliers.neighbours += factor * other.outliers.neighbours;
@@ -398,7 +380,6 @@ ErrorSums error_sums_of(const PixelMoments& pixels, const TileBounds& counted) {
       sums.squares += error * error;
       sums.edges.expected += at_edges;
       sums.edges.squares += at_edges * at_edges;
-      sums.denominator_uncertainty += error * error / (1 + error) + at_edges * at_edges / (1 + at_edges);
     }
   }
   return sums;

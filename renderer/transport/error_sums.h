@@ -19,8 +19,6 @@ struct ErrorSums {
   double errors = 0;
   /// Squares of what a pixel's channels add to `errors`: they measure how unevenly the error is spread.
   double squares = 0;
-  /// Second-order error e^2 / (1 + e), which comes from the uncertainty of the denominator.
-  double denominator_uncertainty = 0;
 
   /// Edge pixels: samples hit one of two objects of very different radiance.
   struct Edges {
@@ -37,18 +35,11 @@ struct ErrorSums {
     double unseen = 0;      ///< expected error of pixels at such edges that no sample has hit
   } touched;
 
-  /// Values beside a bright object that no sample seems to have hit.
-  struct Untouched {
-    double contrasts = 0;  ///< radiance that one hit would add, relative to their own
-    double squares = 0;    ///< of the contrasts
-  } untouched;
-
   /// Outliers: values that stand out from all neighbours but one.
   struct Outliers {
     double count = 0;
     double agreement = 0;   ///< from 0, only one half is bright, to 1; summed over values
     double steady = 0;      ///< how many agree so well that every sample may hit them
-    double contrasts = 0;   ///< of those: squared differences from their neighbours, relative
     double on_black = 0;    ///< how many have a neighbour darker than the floor
     double own = 0;         ///< the squared error, if the pixels are as bright as they seem
     double neighbours = 0;  ///< the same, if they are as bright as their neighbours
