@@ -1,12 +1,15 @@
 #include "renderer/transport/film.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "renderer/image/image_error.h"
+#include "renderer/transport/sobol.h"
 
 namespace {
 
@@ -185,36 +188,48 @@ TEST(Film, KnowsFromAllLoneDotsHowOftenTheyAreHit) {
 }
 
 // The edges of lamps on black. Most of the error is in pixels with so little coverage that one of 16 samples
-// has hit them, or none: each has a random coverage. Samples are perfectly stratified, so that a half has
-// floor or ceil of the covered fraction of its samples.
+// has hit them, or none.
 struct EdgeStudy {
   static constexpr int Films = 60;
+  static constexpr int HalfSamples = 8;
   static constexpr int Side = 2 * Film::TileSize;
   int inside = 0;        ///< true errors within their interval
   double quotients = 0;  ///< mean of estimated over true error
 };
 
-/// Estimates the errors of films whose pixels are partly covered by a bright object; `coverage` is called per
-/// pixel and film. Samples are stratified.
-template <class Coverage>
-EdgeStudy study_edges(std::mt19937& random, const Coverage& coverage) {
-  constexpr double HalfSamples = 8;
-  std::uniform_real_distribution<double> uniform;
+struct PixelEdge {
+  double coverage = 0;  ///< of the bright side
+  std::array<int, Film::Scramblings> hits = {};
+
+  /// A pixel that is covered, 1, or not, 0.
+  static PixelEdge of(int coverage) {
+    const int hits = coverage * EdgeStudy::HalfSamples;
+    return {static_cast<double>(coverage), {hits, hits}};
+  }
+};
+
+/// Estimates the errors of films whose pixels are partly covered by a bright object: `edge_at` returns, per
+/// film and pixel, the covered part of a pixel, with the number of the samples of a half that hit it.
+template <class EdgeAt>
+EdgeStudy study_edges(const EdgeAt& edge_at) {
   EdgeStudy study;
   for (int i = 0; i < EdgeStudy::Films; ++i) {
     Image truth{EdgeStudy::Side, EdgeStudy::Side, {}};
+    std::vector<PixelEdge> edges;
     for (int y = 0; y < EdgeStudy::Side; ++y) {
-      for (int x = 0; x < EdgeStudy::Side; ++x)
-        truth.pixels.emplace_back(static_cast<float>(10 * coverage(x, y)));
+      for (int x = 0; x < EdgeStudy::Side; ++x) {
+        edges.push_back(edge_at(x, y));
+        truth.pixels.emplace_back(static_cast<float>(10 * edges.back().coverage));
+      }
     }
     Film film(EdgeStudy::Side, EdgeStudy::Side);
     for (int tile = 0; tile < film.tile_count(); ++tile) {
       const transport::TileBounds bounds = film.bounds_of(tile);
       for (int half = 0; half < Film::Scramblings; ++half) {
         add_to_tile(film, tile, half, [&](int x, int y) {
-          const double covered = truth.at(bounds.x + x, bounds.y + y).x / 10.0;
-          return Rgb(
-              static_cast<float>(10 * std::floor(HalfSamples * covered + uniform(random)) / HalfSamples));
+          const int pixel = (bounds.y + y) * EdgeStudy::Side + bounds.x + x;
+          const int hits = edges[static_cast<std::size_t>(pixel)].hits[static_cast<std::size_t>(half)];
+          return Rgb(10 * static_cast<float>(hits) / EdgeStudy::HalfSamples);
         });
       }
     }
@@ -226,21 +241,53 @@ EdgeStudy study_edges(std::mt19937& random, const Coverage& coverage) {
   return study;
 }
 
+/// A straight edge through a pixel at any place and angle, and the samples of a render that hit the bright
+/// side.
+PixelEdge random_edge(std::mt19937& random) {
+  std::uniform_real_distribution<double> uniform;
+  const double angle = 2 * std::numbers::pi * uniform(random);
+  const double place = std::sqrt(0.5) * (2 * uniform(random) - 1);
+  const auto is_covered = [&](double x, double y) {
+    return (x - 0.5) * std::cos(angle) + (y - 0.5) * std::sin(angle) > place;
+  };
+  PixelEdge edge;
+  constexpr int Cells = 100;
+  for (int i = 0; i < Cells * Cells; ++i) {
+    const bool covers = is_covered((i % Cells + 0.5) / Cells, (i / Cells + 0.5) / Cells);
+    edge.coverage += covers ? 1.0 / (Cells * Cells) : 0;
+  }
+  for (int& hits : edge.hits) {
+    const auto seed = static_cast<std::uint32_t>(random());
+    for (std::uint32_t i = 0; i < EdgeStudy::HalfSamples; ++i) {
+      const transport::Uniform4 at = transport::PathSampler(seed, i).next();
+      hits += is_covered(double(at.x), double(at.y)) ? 1 : 0;
+    }
+  }
+  return edge;
+}
+
 TEST(Film, StatesTheErrorOfEdgesThatFewSamplesHit) {
   std::mt19937 random(6);
-  std::uniform_real_distribution<double> uniform;
   const EdgeStudy study = study_edges(
-      random, [&](int x, int) { return x % 8 == 4 ? uniform(random) : static_cast<double>(x % 8 > 4); });
+      [&](int x, int) { return x % 8 == 4 ? random_edge(random) : PixelEdge::of(x % 8 > 4 ? 1 : 0); });
   EXPECT_GE(study.inside, EdgeStudy::Films - 8);
   EXPECT_GT(study.quotients, 0.85);
   EXPECT_LT(study.quotients, 1.2);
 }
 
 // The bright side is in other tiles than the pixels that it equally covers in part: neither a pixel nor its
-// tile knows what is beside it.
+// tile knows what is beside it. Samples are perfectly stratified, so that a half has floor or ceil of the
+// covered fraction of its samples.
 TEST(Film, StatesTheErrorOfAnEdgeAtTheBorderOfTiles) {
   std::mt19937 random(7);
-  const EdgeStudy study = study_edges(random, [](int, int y) { return y < 15 ? 0.0 : y == 15 ? 0.1 : 1.0; });
+  std::uniform_real_distribution<double> uniform;
+  const EdgeStudy study = study_edges([&](int, int y) {
+    if (y != 15) return PixelEdge::of(y < 15 ? 0 : 1);
+    PixelEdge edge{0.1, {}};
+    for (int& hits : edge.hits)
+      hits = static_cast<int>(EdgeStudy::HalfSamples * edge.coverage + uniform(random));
+    return edge;
+  });
   EXPECT_GE(study.inside, EdgeStudy::Films - 8);
   EXPECT_GT(study.quotients, 0.8);
   EXPECT_LT(study.quotients, 1.3);
