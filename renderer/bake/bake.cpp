@@ -45,7 +45,7 @@ IntegratorSettings for_gathering(IntegratorSettings settings) {
 class Bake::Vertex {
  public:
   BakeTally tally;
-  std::vector<Imath::V3d> sums;
+  std::vector<transport::ExactRgbSum> sums;
   RenderTotals done;
   transport::RayCounter counter;
   reflectance::Frame frame{Vec3f(0, 0, 1)};
@@ -80,7 +80,7 @@ Bake::Bake(const CompiledScene& scene, const BakePoints& points, const BakeSetti
       white_(reflectance::Diffuse{grf::Colour(1)}, reflectance::OwnScheme()),
       cells_(std::max(1, settings.directions)),
       tallies_(points.count()),
-      sums_(points.count() * sums_per_vertex(), Imath::V3d(0)),
+      sums_(points.count() * sums_per_vertex()),
       start_(std::chrono::steady_clock::now()) {
   settings_.integrator = for_gathering(settings.integrator);
   for (std::size_t i = 0; i < points.count(); ++i) baked_vertices_ += points.has_faces(i) ? 1 : 0;
@@ -92,13 +92,15 @@ void Bake::restore(int stage, const RenderTotals& totals) {
   restored_paths_ = totals.paths;
 }
 
-void Bake::restore_vertex(std::size_t vertex, const BakeTally& tally, const std::vector<Imath::V3d>& sums) {
+void Bake::restore_vertex(std::size_t vertex, const BakeTally& tally,
+                          const std::vector<transport::ExactRgbSum>& sums) {
   tallies_[vertex] = tally;
   std::copy(sums.begin(), sums.end(),
             sums_.begin() + static_cast<std::ptrdiff_t>(vertex * sums_per_vertex()));
 }
 
-void Bake::copy_vertex(std::size_t vertex, BakeTally& tally, std::vector<Imath::V3d>& sums) const {
+void Bake::copy_vertex(std::size_t vertex, BakeTally& tally,
+                       std::vector<transport::ExactRgbSum>& sums) const {
   const std::lock_guard lock(lock_of(vertex));
   tally = tallies_[vertex];
   const auto first = sums_.begin() + static_cast<std::ptrdiff_t>(vertex * sums_per_vertex());
@@ -229,8 +231,9 @@ bool Bake::add_samples(std::size_t index, int half, std::uint32_t count, Vertex&
     }
     ++vertex.done.paths;
     const grf::Colour radiance = gathered.light.radiance + gathered.scattered.radiance;
-    if (!transport::is_finite(radiance)) {
-      assert(false && "a sample is not finite");
+    if (!transport::ExactRgbSum::can_add(gathered.light.radiance) ||
+        !transport::ExactRgbSum::can_add(gathered.scattered.radiance)) {
+      assert(transport::is_finite(radiance) && "a sample is not finite");
       ++vertex.done.rejected;
       continue;
     }
@@ -250,7 +253,7 @@ void Bake::add(const GatherSample& gathered, int half, Vertex& vertex) const {
         cell_count() == 1
             ? 0
             : static_cast<std::size_t>(cells_.cell_of(vertex.frame.to_local(arrival.direction)));
-    vertex.sums[static_cast<std::size_t>(half) * cell_count() + cell] += Imath::V3d(arrival.radiance);
+    vertex.sums[static_cast<std::size_t>(half) * cell_count() + cell].add(arrival.radiance);
   }
 }
 
@@ -314,7 +317,7 @@ std::size_t Bake::value_count() const {
 Imath::V3d Bake::radiance(std::size_t vertex, int half, std::size_t cell) const {
   const std::uint32_t count = tallies_[vertex].counts[static_cast<std::size_t>(half)];
   const std::size_t index = vertex * sums_per_vertex() + static_cast<std::size_t>(half) * cell_count() + cell;
-  return count == 0 ? Imath::V3d(0) : sums_[index] / count;
+  return count == 0 ? Imath::V3d(0) : sums_[index].value() / count;
 }
 
 Imath::V3d Bake::radiance(std::size_t vertex, int half) const {

@@ -12,6 +12,7 @@
 #include "renderer/bake/bake_points.h"
 #include "renderer/bake/hemisphere_cells.h"
 #include "renderer/reflectance/reflector.h"
+#include "renderer/transport/exact_sum.h"
 #include "renderer/transport/render.h"
 
 namespace bake {
@@ -65,7 +66,7 @@ class Bake {
   transport::RenderTotals totals() const;
 
   /// Copies what a checkpoint stores of a vertex: a consistent state from some moment of the run.
-  void copy_vertex(std::size_t vertex, BakeTally& tally, std::vector<Imath::V3d>& sums) const;
+  void copy_vertex(std::size_t vertex, BakeTally& tally, std::vector<transport::ExactRgbSum>& sums) const;
   std::size_t sums_per_vertex() const { return 2 * cell_count(); }
   int stage() const { return stage_; }
   const BakeSettings& settings() const { return settings_; }
@@ -75,7 +76,8 @@ class Bake {
 
   /// Resumes from the state of another bake of the same scene; to be called before `run`.
   void restore(int stage, const transport::RenderTotals& totals);
-  void restore_vertex(std::size_t vertex, const BakeTally& tally, const std::vector<Imath::V3d>& sums);
+  void restore_vertex(std::size_t vertex, const BakeTally& tally,
+                      const std::vector<transport::ExactRgbSum>& sums);
 
   // Once `run` has returned:
 
@@ -122,7 +124,7 @@ class Bake {
   HemisphereCells cells_;
   std::size_t baked_vertices_ = 0;  ///< vertices that have faces
   std::vector<BakeTally> tallies_;
-  std::vector<Imath::V3d> sums_;  ///< per vertex, half and cell; the cell varies fastest
+  std::vector<transport::ExactRgbSum> sums_;  ///< per vertex, half and cell; the cell varies fastest
   /// Pilot statistics of a half: the smallest deviation that counts, and the mean of the deviations.
   struct Weighing {
     double least = 0;

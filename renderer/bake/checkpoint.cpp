@@ -11,7 +11,7 @@ namespace {
 using transport::Fingerprint;
 using transport::take;
 
-constexpr transport::CheckpointKind BakeKind = {{'G', 'R', 'F', 'B', 'A', 'K', '0', '1'}, "bake"};
+constexpr transport::CheckpointKind BakeKind = {{'G', 'R', 'F', 'B', 'A', 'K', '0', '2'}, "bake"};
 
 /// The file's contents start with this header; each vertex's tally and sums follow, then an `End`.
 struct BakeHeader {
@@ -30,12 +30,12 @@ static_assert(std::is_trivially_copyable_v<BakeHeader> && sizeof(BakeHeader) == 
               "the file has no gaps of unknown content");
 static_assert(std::is_trivially_copyable_v<BakeTally> && sizeof(BakeTally) == 40);
 
-std::string_view bytes_of(const std::vector<Imath::V3d>& sums) {
+std::string_view bytes_of(const std::vector<transport::ExactRgbSum>& sums) {
   return {reinterpret_cast<const char*>(sums.data()), sums.size() * sizeof(sums[0])};
 }
 
 std::size_t bytes_per_vertex(const Bake& bake) {
-  return sizeof(BakeTally) + bake.sums_per_vertex() * sizeof(Imath::V3d);
+  return sizeof(BakeTally) + bake.sums_per_vertex() * sizeof(transport::ExactRgbSum);
 }
 
 /// Returns the number of samples of all vertices together.
@@ -52,7 +52,7 @@ std::uint64_t count_samples(std::string_view bytes, const Bake& bake) {
 
 void restore_vertices(std::string_view bytes, Bake& bake) {
   BakeTally tally;
-  std::vector<Imath::V3d> sums(bake.sums_per_vertex());
+  std::vector<transport::ExactRgbSum> sums(bake.sums_per_vertex());
   for (std::size_t i = 0; i < bake.vertex_count(); ++i) {
     take(bytes, &tally, 1);
     take(bytes, sums.data(), sums.size());
@@ -67,7 +67,7 @@ bool write_checkpoint(const std::string& path, const Fingerprint& fingerprint, c
   const auto fill = [&](const grf::FileWriter& write) {
     if (!write(transport::bytes_of(BakeHeader{bake.vertex_count(), bake.sums_per_vertex()}))) return false;
     BakeTally tally;
-    std::vector<Imath::V3d> sums;
+    std::vector<transport::ExactRgbSum> sums;
     for (std::size_t i = 0; i < bake.vertex_count(); ++i) {
       bake.copy_vertex(i, tally, sums);
       if (!write(transport::bytes_of(tally)) || !write(bytes_of(sums))) return false;
@@ -83,7 +83,7 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
   const auto contents = transport::read_checkpoint_frame(path, BakeKind, fingerprint, diagnostics);
   if (!contents) return false;
   const auto refuse = [&](const std::string& why) {
-    transport::refuse_checkpoint(path, why, diagnostics);
+    transport::refuse_checkpoint(path, BakeKind, why, diagnostics);
     return false;
   };
   std::string_view rest = contents->bytes;

@@ -82,8 +82,9 @@ std::string samples_text(double samples) {
 }
 
 std::string rejected_samples_text(std::uint64_t count) {
-  return grf::counted(count, "sample was not finite (NaN or infinite) and counts as black; it is",
-                      "samples were not finite (NaN or infinite) and count as black; the first is");
+  return grf::counted(
+      count, "sample was not finite (NaN or infinite) or above 1e12 and counts as black; it is",
+      "samples were not finite (NaN or infinite) or above 1e12 and count as black; the first is");
 }
 
 }  // namespace command

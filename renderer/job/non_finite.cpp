@@ -9,7 +9,7 @@
 namespace job {
 
 std::string cause_text(const transport::NotFinite& cause, const transport::CompiledScene& scene) {
-  if (cause.term.empty()) return "a product of finite terms is too large for a float";
+  if (cause.term.empty()) return "a product of finite terms is too large";
   std::string text = fmt::format("the {} is not finite", cause.term);
   if (!cause.where) return text;
   const std::uint32_t reflector = cause.where->surface->reflector;

@@ -8,7 +8,7 @@
 namespace transport {
 namespace {
 
-constexpr CheckpointKind RenderKind = {{'G', 'R', 'F', 'C', 'H', 'K', '0', '3'}, "render"};
+constexpr CheckpointKind RenderKind = {{'G', 'R', 'F', 'C', 'H', 'K', '0', '4'}, "render"};
 
 /// The file's contents start with this header; each tile's counts, spreads and sums follow, in the film's
 /// order.
@@ -27,7 +27,7 @@ std::string_view bytes_of(const std::vector<FilmTile::PixelSums>& sums) {
 }
 
 constexpr std::size_t PixelBytes = sizeof(FilmTile::PixelSums);
-static_assert(PixelBytes == 48);
+static_assert(PixelBytes == 96);
 /// The bytes of a tile, apart from its pixels.
 constexpr std::size_t TileBytes = sizeof(FilmTile::Counts) + sizeof(FilmTile::spreads);
 
@@ -101,7 +101,7 @@ bool resume_from_checkpoint(const std::string& path, const Fingerprint& fingerpr
   const auto contents = read_checkpoint_frame(path, RenderKind, fingerprint, diagnostics);
   if (!contents) return false;
   const auto refuse = [&](const std::string& why) {
-    refuse_checkpoint(path, why, diagnostics);
+    refuse_checkpoint(path, RenderKind, why, diagnostics);
     return false;
   };
   std::string_view rest = contents->bytes;

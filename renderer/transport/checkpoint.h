@@ -10,7 +10,7 @@
 namespace transport {
 
 /// Replaces the file with the state of a render, or leaves it unchanged and reports why. Workers may continue
-/// meanwhile: each tile is stored in a consistent state. A pixel takes 48 bytes.
+/// meanwhile: each tile is stored in a consistent state. A pixel takes 96 bytes.
 bool write_checkpoint(const std::string& path, const Fingerprint& fingerprint, const Render& render,
                       grf::Diagnostics& diagnostics);
 

@@ -24,7 +24,10 @@ bool is_even(const FilmTile::Counts& counts) {
 Imath::V3d mean_of(const FilmTile::PixelSums& sums, const FilmTile::Counts& counts) {
   const std::uint32_t count = counts[0] + counts[1];
   if (count == 0) return Imath::V3d(0);
-  return is_even(counts) ? (sums[0] + sums[1]) / count : (sums[0] / counts[0] + sums[1] / counts[1]) / 2;
+  if (!is_even(counts)) return (sums[0].value() / counts[0] + sums[1].value() / counts[1]) / 2;
+  ExactRgbSum all = sums[0];
+  all += sums[1];
+  return all.value() / count;
 }
 
 // The halves are independent estimates of the same value. With weights p and 1 - p, the variance of their
@@ -33,7 +36,7 @@ Imath::V3d variance_of(const FilmTile::PixelSums& sums, const FilmTile::Counts& 
   if (!has_both_halves(counts)) return Imath::V3d(0);
   const double n = counts[0];
   const double m = counts[1];
-  const Imath::V3d difference = sums[0] / n - sums[1] / m;
+  const Imath::V3d difference = sums[0].value() / n - sums[1].value() / m;
   const double weight = is_even(counts) ? n / (n + m) : 0.5;
   return difference * difference * (weight * (1 - weight));
 }
@@ -44,7 +47,7 @@ Imath::V3d scaled_difference(const FilmTile::PixelSums& sums, const FilmTile::Co
   const double n = counts[0];
   const double m = counts[1];
   const double weight = is_even(counts) ? n / (n + m) : 0.5;
-  return (sums[0] / n - sums[1] / m) * std::sqrt(weight * (1 - weight));
+  return (sums[0].value() / n - sums[1].value() / m) * std::sqrt(weight * (1 - weight));
 }
 
 /// Allocates the pixels of a rectangle, most of which have this many samples.
@@ -63,10 +66,8 @@ void add_pixel(const FilmTile::PixelSums& sums, const FilmTile::Counts& counts, 
 }  // namespace
 
 bool FilmTile::add(int x, int y, int scrambling, const Rgb& radiance) {
-  const bool finite = std::isfinite(radiance.x) && std::isfinite(radiance.y) && std::isfinite(radiance.z);
-  if (!finite) return false;
-  PixelSums& sums = pixels[bounds.index_of(x, y)];
-  sums[static_cast<std::size_t>(scrambling)] += Imath::V3d(radiance);
+  if (!ExactRgbSum::can_add(radiance)) return false;
+  pixels[bounds.index_of(x, y)][static_cast<std::size_t>(scrambling)].add(radiance);
   return true;
 }
 
@@ -92,10 +93,12 @@ double FilmTile::spread_since(const FilmTile& before, int scrambling) const {
   const double m = counts[half] - n;
   double sum = 0;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const Imath::V3d& early = before.pixels[i][half];
-    const Imath::V3d& all = pixels[i][half];
-    const Imath::V3d difference = early / n - (all - early) / m;
-    const Imath::V3d mean = all / (n + m);
+    const ExactRgbSum& early = before.pixels[i][half];
+    const ExactRgbSum& all = pixels[i][half];
+    ExactRgbSum late = all;
+    late -= early;
+    const Imath::V3d difference = early.value() / n - late.value() / m;
+    const Imath::V3d mean = all.value() / (n + m);
     for (int k = 0; k < 3; ++k)
       sum += difference[k] * difference[k] / (mean[k] * mean[k] + image::RelmseFloor);
   }
