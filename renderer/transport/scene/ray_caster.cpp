@@ -166,8 +166,10 @@ struct RayCaster::Scenes {
   }
 };
 
+// Embree would choose the instruction set of the processor, and with another one hits differ in their last
+// bits: an image must not depend on the machine. AVX2 is what all of the program is compiled for.
 RayCaster::Scenes::Scenes(std::shared_ptr<const Geometry> of)
-    : geometry(std::move(of)), device(rtcNewDevice(nullptr)) {
+    : geometry(std::move(of)), device(rtcNewDevice("isa=avx2")) {
   if (device == nullptr) throw_error({rtcGetDeviceError(nullptr), "it cannot start on this processor"});
   rtcSetDeviceErrorFunction(device, keep_first_error, &error);
 }
