@@ -79,6 +79,7 @@ std::vector<TextureFile> TextureSetBuilder::build(std::span<const TextureFile> b
       if (entry.severity == grf::Severity::Error) diagnostics_.error(entry.location, entry.message);
       if (entry.severity == grf::Severity::Warning) diagnostics_.warning(entry.location, entry.message);
     }
+    for (const std::string& file : result.diagnostics.files()) diagnostics_.add_file(file);
     textures.push_back(std::move(result.file));
   }
   return textures;
