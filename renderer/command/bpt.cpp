@@ -18,7 +18,9 @@
 #include "renderer/command/brdf_command.h"
 #include "renderer/command/compare_command.h"
 #include "renderer/command/cost_command.h"
+#include "renderer/command/merge_command.h"
 #include "renderer/command/noise_command.h"
+#include "renderer/command/pack_command.h"
 #include "renderer/command/plan_command.h"
 #include "renderer/command/render_command.h"
 #include "renderer/command/sky_command.h"
@@ -109,14 +111,30 @@ void add_plan(CLI::App& app, command::PlanArguments& arguments) {
 }
 
 void add_render(CLI::App& app, command::RenderArguments& arguments) {
-  CLI::App* render = app.add_subcommand("render", "Render a scene to an image");
+  CLI::App* render = app.add_subcommand("render", "Render a scene, or a job file of `bpt pack`, to an image");
   add_scene_options(*render, arguments.scene, arguments.flags);
-  render->add_option("--output", arguments.outputs, "output image; may be repeated for other file types")
+  render
+      ->add_option(
+          "-o,--output", arguments.outputs,
+          "output image; may be repeated for other file types; or a part file, FILE.part, with a part of "
+          "the image's samples, for `bpt merge`")
       ->type_name("path")
       ->allow_extra_args(false);
   add_progress(*render, arguments.progress);
   render->add_flag("--json", arguments.json,
                    "print the summary as JSON; with --progress json, on one more line");
+  render
+      ->add_option(
+          "--part", arguments.part.part,
+          "render part K of N of the samples, all of nearly equal size; of an adaptive image, of its pilot, "
+          "unless that is given")
+      ->type_name("K/N");
+  render
+      ->add_option("--tiles", arguments.part.tiles,
+                   "render these tiles of 16x16 pixels alone, row by row from 0")
+      ->type_name("FIRST..LAST");
+  render->add_option("--pilot", arguments.part.pilot, "part file with the pilot of an adaptive image")
+      ->type_name("FILE.part");
   CLI::Option* forecast =
       render->add_flag("--forecast", arguments.forecasts,
                        "render no image, but forecast the time until errors of 5, 2 and 1 % and the target "
@@ -127,6 +145,34 @@ void add_render(CLI::App& app, command::RenderArguments& arguments) {
       ->type_name("SECONDS")
       ->check(CLI::Range(0.1, 3600.0))
       ->needs(forecast);
+}
+
+void add_pack(CLI::App& app, command::PackArguments& arguments) {
+  CLI::App* pack = app.add_subcommand(
+      "pack", "Pack a scene with all files that it reads into one job file, which `bpt render` takes");
+  add_scene_options(*pack, arguments.scene, arguments.flags);
+  pack->add_option("-o,--output", arguments.output,
+                   "job file (the scene's name with .grfjob, in the current folder)")
+      ->type_name("FILE.grfjob");
+  pack->add_flag("--json", arguments.json, "print one JSON object");
+}
+
+void add_merge(CLI::App& app, command::MergeArguments& arguments) {
+  CLI::App* merge = app.add_subcommand(
+      "merge", "Merge parts of an image, rendered anywhere, to the image that one process would render");
+  merge->add_option("parts", arguments.parts, "part files, in any order")
+      ->required()
+      ->type_name("FILE.part...");
+  merge
+      ->add_option(
+          "-o,--output", arguments.outputs,
+          "output image; may be repeated for other file types; or a part file with all that the parts have")
+      ->type_name("path")
+      ->allow_extra_args(false);
+  merge->add_flag(
+      "--missing", arguments.lists_missing,
+      "print which samples no part has, as flags of `bpt render`; the exit code is 1 if there are any");
+  merge->add_flag("--json", arguments.json, "print one JSON object");
 }
 
 /// A bake takes the render options that control light transport, sampling and termination.
@@ -416,6 +462,10 @@ ExitCode run(int argc, char** argv) {
   app.require_subcommand(1);
   command::RenderArguments arguments;
   add_render(app, arguments);
+  command::PackArguments pack_arguments;
+  add_pack(app, pack_arguments);
+  command::MergeArguments merge_arguments;
+  add_merge(app, merge_arguments);
   command::BakeArguments bake_arguments;
   add_bake(app, bake_arguments);
   command::PlanArguments plan_arguments;
@@ -445,6 +495,8 @@ ExitCode run(int argc, char** argv) {
   if (app.got_subcommand("noise")) return command::noise(noise_arguments);
   if (app.got_subcommand("sky")) return command::sky(sky_arguments);
   if (app.got_subcommand("plan")) return command::plan(plan_arguments);
+  if (app.got_subcommand("pack")) return command::pack(pack_arguments);
+  if (app.got_subcommand("merge")) return command::merge(merge_arguments);
   if (app.got_subcommand("bake")) return command::bake(bake_arguments);
   return command::render(arguments);
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "grf/exit_code.h"
+#include "renderer/command/part_arguments.h"
 #include "renderer/command/render_arguments.h"
 
 namespace command {
@@ -12,6 +13,7 @@ namespace command {
 struct RenderArguments {
   std::string scene;  ///< an OP file, or a GRF scene
   OptionFlags flags;
+  PartFlags part;                    ///< a part file is written, unless they are empty
   std::vector<std::string> outputs;  ///< images to write, one per file type; empty: that of the OP file
   std::string progress = "bar";      ///< or `json`, or `none`
   bool json = false;
@@ -19,8 +21,8 @@ struct RenderArguments {
   double forecast_seconds = 2;  ///< of the probe for that
 };
 
-/// Renders a scene, writes the image and prints a summary; or prints a forecast. SIGINT and SIGTERM stop the
-/// render early; the image so far is written.
+/// Renders a scene, writes the image or a part of its samples, and prints a summary; or prints a forecast.
+/// SIGINT and SIGTERM stop the render early; the image so far is written, but no part.
 grf::ExitCode render(const RenderArguments& arguments);
 
 }  // namespace command

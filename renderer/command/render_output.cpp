@@ -47,26 +47,30 @@ ImageLayer samples_layer(const Film& film) {
   return layer;
 }
 
-std::vector<ImageLayer> layers_of(const transport::Render& render, const transport::CompiledScene& scene,
-                                  const transport::View& view, const RenderOptions& render_options) {
-  const auto asks_for = [&](std::string_view name) {
-    const auto& layers = render_options.layers;
-    return std::find(layers.begin(), layers.end(), name) != layers.end();
-  };
-  const Film& film = render.film();
+bool has(const std::vector<std::string>& layers, std::string_view name) {
+  return std::find(layers.begin(), layers.end(), name) != layers.end();
+}
+
+/// Computes the layers that need the scene.
+std::vector<ImageLayer> features_of(const transport::Render& render, const transport::CompiledScene& scene,
+                                    const RenderOptions& render_options) {
+  const auto& asked = render_options.layers;
   std::vector<ImageLayer> layers;
-  if (asks_for("albedo") || asks_for("normal") || asks_for("depth")) {
-    constexpr int FeatureSamples = 16;
-    auto features = transport::feature_layers(scene, view, film.width(), film.height(), FeatureSamples,
-                                              render_options.seed, render_options.threads);
-    if (asks_for("albedo")) layers.push_back(image::layer_of("albedo", "RGB", features.albedo));
-    if (asks_for("normal")) layers.push_back(image::layer_of("normal", "XYZ", features.normal));
-    if (asks_for("depth")) layers.push_back({"depth", "Z", std::move(features.depth)});
-  }
-  if (asks_for("variance")) layers.push_back(image::layer_of("variance", "RGB", film.variance()));
-  if (asks_for("error")) layers.push_back({"error", "", transport::error_map(render)});
-  if (asks_for("samples")) layers.push_back(samples_layer(film));
+  if (!has(asked, "albedo") && !has(asked, "normal") && !has(asked, "depth")) return layers;
+  constexpr int FeatureSamples = 16;
+  const Film& film = render.film();
+  auto features = transport::feature_layers(scene, render.settings().view, film.width(), film.height(),
+                                            FeatureSamples, render_options.seed, render_options.threads);
+  if (has(asked, "albedo")) layers.push_back(image::layer_of("albedo", "RGB", features.albedo));
+  if (has(asked, "normal")) layers.push_back(image::layer_of("normal", "XYZ", features.normal));
+  if (has(asked, "depth")) layers.push_back({"depth", "Z", std::move(features.depth)});
   return layers;
+}
+
+void add_layers_of(const Film& film, const std::vector<std::string>& asked, std::vector<ImageLayer>& layers) {
+  if (has(asked, "variance")) layers.push_back(image::layer_of("variance", "RGB", film.variance()));
+  if (has(asked, "error")) layers.push_back({"error", "", transport::error_map(film)});
+  if (has(asked, "samples")) layers.push_back(samples_layer(film));
 }
 
 void add_options(const RenderOptions& render_options, std::vector<ImageAttribute>& attributes) {
@@ -117,27 +121,37 @@ bool can_write(const std::vector<std::string>& outputs, const RenderOptions& ren
   return true;
 }
 
-image::ImageFile image_file_of(const transport::Render& render,
-                               const std::optional<transport::ErrorEstimate>& estimate,
-                               const transport::CompiledScene& scene, const transport::View& view,
-                               const RenderOptions& render_options) {
-  const Film& film = render.film();
-  const transport::Camera camera(view, film.width(), film.height());
-  image::ImageFile file;
-  file.image = film.mean();
-  file.exposure = render_options.exposure;
-  file.screen_width = camera.screen_width();
-  file.layers = layers_of(render, scene, view, render_options);
+ImageDescription description_of(const transport::Render& render, const transport::CompiledScene& scene,
+                                const RenderOptions& render_options) {
+  const transport::View& view = render.settings().view;
+  const transport::Camera camera(view, render.film().width(), render.film().height());
+  ImageDescription description;
+  description.exposure = render_options.exposure;
+  description.screen_width = camera.screen_width();
+  description.layers = render_options.layers;
+  description.features = features_of(render, scene, render_options);
 
   RenderOptions known = render_options;
   known.eye = view.eye;
   known.target = view.target;
   known.samples = render_options.samples_per_pixel();
-  add_options(known, file.attributes);
-  file.attributes.push_back({"software", "Granada " GRANADA_VERSION});
-  file.attributes.push_back({"worldToCamera", camera.world_to_camera()});
-  file.attributes.push_back({"worldToNDC", camera.world_to_image()});
-  file.attributes.push_back({"renderSeconds", static_cast<float>(render.seconds())});
+  add_options(known, description.attributes);
+  description.attributes.push_back({"software", "Granada " GRANADA_VERSION});
+  description.attributes.push_back({"worldToCamera", camera.world_to_camera()});
+  description.attributes.push_back({"worldToNDC", camera.world_to_image()});
+  return description;
+}
+
+image::ImageFile image_file_of(const Film& film, ImageDescription description, double seconds,
+                               const std::optional<transport::ErrorEstimate>& estimate) {
+  image::ImageFile file;
+  file.image = film.mean();
+  file.exposure = description.exposure;
+  file.screen_width = description.screen_width;
+  file.layers = std::move(description.features);
+  add_layers_of(film, description.layers, file.layers);
+  file.attributes = std::move(description.attributes);
+  file.attributes.push_back({"renderSeconds", static_cast<float>(seconds)});
   file.attributes.push_back({"samplesPerPixel", static_cast<float>(mean_samples(film))});
   if (estimate) {
     file.attributes.push_back({"estimatedError", static_cast<float>(estimate->error)});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grf/diagnostics.h"
+#include "renderer/command/image_description.h"
 #include "renderer/image/image_file.h"
 #include "renderer/options/render_options.h"
 #include "renderer/transport/render.h"
@@ -21,12 +22,14 @@ bool can_write(const std::vector<std::string>& outputs, const options::RenderOpt
 /// Checks likewise that a file can be written; messages name its kind, `what`.
 bool can_write_file(const std::string& path, std::string_view what, grf::Diagnostics& diagnostics);
 
-/// Returns the image of a finished render with the requested layers and with attributes: each option by its
-/// key (for camera and samples, the values used), the camera, the program's version, the render time in
+/// Returns the description of a render's image: the requested features, and as attributes each option by its
+/// key (for camera and samples, the values used), the camera and the program's version.
+ImageDescription description_of(const transport::Render& render, const transport::CompiledScene& scene,
+                                const options::RenderOptions& render_options);
+
+/// Returns an image with the requested layers and with the attributes of its description, the render time in
 /// seconds, the samples per pixel and the given error estimate.
-image::ImageFile image_file_of(const transport::Render& render,
-                               const std::optional<transport::ErrorEstimate>& estimate,
-                               const transport::CompiledScene& scene, const transport::View& view,
-                               const options::RenderOptions& render_options);
+image::ImageFile image_file_of(const transport::Film& film, ImageDescription description, double seconds,
+                               const std::optional<transport::ErrorEstimate>& estimate);
 
 }  // namespace command

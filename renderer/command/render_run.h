@@ -18,8 +18,9 @@ namespace command {
 
 /// Settings of a run besides those of the render itself.
 struct RunSettings {
-  std::string checkpoint;  ///< path; empty: none
-  transport::Fingerprint fingerprint;
+  std::string checkpoint;                    ///< path; empty: none
+  transport::Fingerprint fingerprint;        ///< of the checkpoint
+  transport::Fingerprint image_fingerprint;  ///< of a part file
   std::optional<display::Address> display;
   display::ViewerLauncher
       viewer_launcher;  ///< starts an image viewer if none listens there; empty: starts none

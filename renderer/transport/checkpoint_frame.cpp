@@ -24,7 +24,7 @@ static_assert(std::is_trivially_copyable_v<Start> && sizeof(Start) == 8 + 3 * 4,
 std::string defect_of(std::string_view bytes, const CheckpointKind& kind) {
   const auto& magic = kind.magic;
   if (bytes.size() < magic.size() || std::memcmp(bytes.data(), magic.data(), magic.size()) != 0) {
-    return "it is not a checkpoint of this version of bpt";
+    return fmt::format("it is not a {} of this version of bpt", kind.file);
   }
   if (bytes.size() < sizeof(Start) + sizeof(std::uint32_t)) return "it is damaged (unexpected end of file)";
   const std::size_t content = bytes.size() - sizeof(std::uint32_t);
@@ -47,6 +47,7 @@ std::string difference_between(const Fingerprint& found, const Fingerprint& expe
 }  // namespace
 
 std::uint32_t check_sum(std::uint32_t before, std::string_view bytes) {
+  if (bytes.empty()) return before;  // crc32_z starts anew where there is no address
   return static_cast<std::uint32_t>(
       ::crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
@@ -67,25 +68,35 @@ bool write_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
 }
 
 std::optional<CheckpointContents> read_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
-                                                        const Fingerprint& fingerprint,
                                                         grf::Diagnostics& diagnostics) {
   auto file = grf::read_file(path, diagnostics);
   if (!file) return std::nullopt;
   std::string_view bytes = *file;
-  std::string problem = defect_of(bytes, kind);
-  if (problem.empty()) {
-    Start start = {};
-    take(bytes, &start, 1);
-    bytes.remove_suffix(sizeof(std::uint32_t));
-    problem = difference_between(start.fingerprint, fingerprint, kind);
+  const std::string defect = defect_of(bytes, kind);
+  if (!defect.empty()) {
+    refuse_checkpoint(path, kind, defect, diagnostics);
+    return std::nullopt;
   }
-  if (problem.empty()) return CheckpointContents{std::move(file), bytes};
-  refuse_checkpoint(path, problem, diagnostics);
+  Start start = {};
+  take(bytes, &start, 1);
+  bytes.remove_suffix(sizeof(std::uint32_t));
+  return CheckpointContents{start.fingerprint, std::move(file), bytes};
+}
+
+std::optional<CheckpointContents> read_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
+                                                        const Fingerprint& fingerprint,
+                                                        grf::Diagnostics& diagnostics) {
+  auto contents = read_checkpoint_frame(path, kind, diagnostics);
+  if (!contents) return std::nullopt;
+  const std::string difference = difference_between(contents->fingerprint, fingerprint, kind);
+  if (difference.empty()) return contents;
+  refuse_checkpoint(path, kind, difference, diagnostics);
   return std::nullopt;
 }
 
-void refuse_checkpoint(const std::string& path, const std::string& why, grf::Diagnostics& diagnostics) {
-  diagnostics.error(grf::whole_file(path), "cannot resume from the checkpoint: " + why);
+void refuse_checkpoint(const std::string& path, const CheckpointKind& kind, const std::string& why,
+                       grf::Diagnostics& diagnostics) {
+  diagnostics.error(grf::whole_file(path), fmt::format("{}: {}", kind.failure, why));
 }
 
 std::string mismatch_reason(const CheckpointKind& kind, std::string_view what) {

@@ -1,5 +1,5 @@
-// All checkpoints share a file format: a fingerprint of what the file belongs to, and a check sum of its
-// contents.
+// Checkpoints and part files share a file format: a fingerprint of what the file belongs to, and a check sum
+// of its contents.
 #pragma once
 
 #include <array>
@@ -31,8 +31,10 @@ std::uint32_t check_sum(std::uint32_t before, std::string_view bytes);
 
 /// A kind of checkpoint, such as that of a render or a bake.
 struct CheckpointKind {
-  std::array<char, 8> magic;  ///< first bytes of the file
-  std::string_view name;      ///< as messages call it, such as `render`
+  std::array<char, 8> magic;             ///< first bytes of the file
+  std::string_view name;                 ///< as messages call what it belongs to, such as `render`
+  std::string_view file = "checkpoint";  ///< as they call the file
+  std::string_view failure = "cannot resume from the checkpoint";  ///< how they begin
 };
 
 /// Replaces the file with a checkpoint whose contents `fill` writes, or leaves it unchanged and reports why.
@@ -42,6 +44,7 @@ bool write_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
                             grf::Diagnostics& diagnostics);
 
 struct CheckpointContents {
+  Fingerprint fingerprint;
   std::shared_ptr<const std::string> file;  ///< holds the bytes
   std::string_view bytes;                   ///< the bytes that `fill` wrote
 };
@@ -51,8 +54,13 @@ std::optional<CheckpointContents> read_checkpoint_frame(const std::string& path,
                                                         const Fingerprint& fingerprint,
                                                         grf::Diagnostics& diagnostics);
 
+/// Reads a checkpoint of anything. A damaged one is an error.
+std::optional<CheckpointContents> read_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
+                                                        grf::Diagnostics& diagnostics);
+
 /// Reports why a checkpoint cannot be used.
-void refuse_checkpoint(const std::string& path, const std::string& why, grf::Diagnostics& diagnostics);
+void refuse_checkpoint(const std::string& path, const CheckpointKind& kind, const std::string& why,
+                       grf::Diagnostics& diagnostics);
 
 /// Returns why a checkpoint of the same scene, but with other options, cannot be used.
 std::string mismatch_reason(const CheckpointKind& kind, std::string_view what);

@@ -28,8 +28,9 @@ struct FilmPixels {
   std::vector<bool> are_known;
 };
 
-FilmPixels pixels_of(const Render& render) {
-  const Film& film = render.film();
+/// Copies the pixels by tile; `copy_tile` copies one.
+template <class CopyTile>
+FilmPixels pixels_of(const Film& film, CopyTile copy_tile) {
   FilmPixels pixels{{{0, 0, film.width(), film.height()}, 0, {}, {}}, {}};
   const std::size_t count = pixels.moments.bounds.pixel_count();
   pixels.moments.means.resize(count);
@@ -37,7 +38,7 @@ FilmPixels pixels_of(const Render& render) {
   pixels.are_known.resize(count);
   FilmTile tile;
   for (int i = 0; i < film.tile_count(); ++i) {
-    render.copy_tile(i, tile);
+    copy_tile(i, tile);
     const bool is_known = tile.counts[0] > 0 && tile.counts[1] > 0;
     for (std::size_t p = 0; p < tile.bounds.pixel_count(); ++p) {
       const auto width = static_cast<std::size_t>(tile.bounds.width);
@@ -81,20 +82,30 @@ KnownSums summed(const KnownSums& sums, const TileBounds& bounds, const Imath::V
   return result;
 }
 
+std::vector<float> map_of(const FilmPixels& pixels, const std::function<bool()>& stops) {
+  const TileBounds& bounds = pixels.moments.bounds;
+  std::vector<float> map(bounds.pixel_count(), std::numeric_limits<float>::infinity());
+  const KnownSums of_rows = summed(errors_of(pixels, stops), bounds, {1, 0});
+  const KnownSums sums = summed(of_rows, bounds, {0, 1});
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    if (pixels.are_known[i]) map[i] = static_cast<float>(std::sqrt(sums.values[i] / sums.counts[i]));
+  }
+  return map;
+}
+
 }  // namespace
 
 std::vector<float> error_map(const Render& render, const std::function<bool()>& stops) {
-  const FilmPixels pixels = pixels_of(render);
-  const TileBounds& bounds = pixels.moments.bounds;
-  std::vector<float> map(bounds.pixel_count(), std::numeric_limits<float>::infinity());
-  parallel::run_with_threads(render.settings().threads, [&] {
-    const KnownSums of_rows = summed(errors_of(pixels, stops), bounds, {1, 0});
-    const KnownSums sums = summed(of_rows, bounds, {0, 1});
-    for (std::size_t i = 0; i < map.size(); ++i) {
-      if (pixels.are_known[i]) map[i] = static_cast<float>(std::sqrt(sums.values[i] / sums.counts[i]));
-    }
-  });
+  const FilmPixels pixels =
+      pixels_of(render.film(), [&](int tile, FilmTile& copy) { render.copy_tile(tile, copy); });
+  std::vector<float> map;
+  parallel::run_with_threads(render.settings().threads, [&] { map = map_of(pixels, stops); });
   return stops() ? std::vector<float>() : map;
+}
+
+std::vector<float> error_map(const Film& film) {
+  const FilmPixels pixels = pixels_of(film, [&](int tile, FilmTile& copy) { film.copy_tile(tile, copy); });
+  return map_of(pixels, [] { return false; });
 }
 
 }  // namespace transport

@@ -23,4 +23,7 @@ constexpr int ErrorMapRadius = 2;
 std::vector<float> error_map(
     const Render& render, const std::function<bool()>& stops = [] { return false; });
 
+/// Returns the same of a film that nobody writes, on the threads of the enclosing loop.
+std::vector<float> error_map(const Film& film);
+
 }  // namespace transport

@@ -48,9 +48,49 @@ Render::Render(const CompiledScene& scene, const RenderSettings& settings)
       start_(std::chrono::steady_clock::now()),
       start_ticks_(processor_ticks()),
       start_process_seconds_(process_seconds()) {
+  if (settings_.part) take_part();
   for (int tile = 0; tile < film_.tile_count(); ++tile) {
     if (renders(tile)) pixel_count_ += static_cast<double>(film_.bounds_of(tile).pixel_count());
   }
+}
+
+/// Chooses the samples of the part that the settings ask for.
+void Render::take_part() {
+  const ImagePart& part = *settings_.part;
+  if (is_adaptive() && !settings_.pilot) {
+    settings_.samples = std::min(settings_.samples, Pilot);
+    for (int tile = 0; tile < film_.tile_count(); ++tile) {
+      is_rendered_[static_cast<std::size_t>(tile)] = has_pilot_of(part, tile);
+    }
+    return;
+  }
+  const FilmTile::Counts done = settings_.pilot ? uniform_counts(Pilot) : FilmTile::Counts();
+  const std::vector<FilmTile::Counts> counts =
+      settings_.pilot ? AdaptiveSampling(*settings_.pilot).counts(settings_.samples)
+                      : counts_at(settings_.samples);
+  part_samples_ = samples_of(part, counts, done);
+  for (std::size_t tile = 0; tile < part_samples_.size(); ++tile) {
+    is_rendered_[tile] = part_samples_[tile].end != part_samples_[tile].first;
+  }
+}
+
+/// Returns the number of the first sample of a half of a tile: 0 unless a part is rendered.
+std::uint32_t Render::first_sample(int tile, std::size_t half) const {
+  return part_samples_.empty() ? 0 : part_samples_[static_cast<std::size_t>(tile)].first[half];
+}
+
+/// Returns the mean number of samples of the pixels that are rendered, at the end.
+double Render::samples_wanted() const {
+  if (part_samples_.empty()) return settings_.samples;
+  double samples = 0;
+  for (int tile = 0; tile < film_.tile_count(); ++tile) {
+    const TileSamples& own = part_samples_[static_cast<std::size_t>(tile)];
+    for (std::size_t half = 0; half < own.end.size(); ++half) {
+      samples +=
+          double(own.end[half] - own.first[half]) * static_cast<double>(film_.bounds_of(tile).pixel_count());
+    }
+  }
+  return samples / std::max(1.0, pixel_count());
 }
 
 void Render::restore(const RenderTotals& totals) {
@@ -110,8 +150,13 @@ bool Render::has_pilot() const {
 
 /// Sample counts of each tile for this mean number of samples per pixel.
 std::vector<FilmTile::Counts> Render::counts_at(int samples) const {
-  if (adaptive_sampling_ && samples > Pilot) return adaptive_sampling_->counts(samples);
   std::vector<FilmTile::Counts> counts(static_cast<std::size_t>(film_.tile_count()));
+  for (std::size_t tile = 0; tile < part_samples_.size(); ++tile) {
+    const TileSamples& own = part_samples_[tile];
+    counts[tile] = {own.end[0] - own.first[0], own.end[1] - own.first[1]};
+  }
+  if (!part_samples_.empty()) return counts;
+  if (adaptive_sampling_ && samples > Pilot) return adaptive_sampling_->counts(samples);
   for (int tile = 0; tile < film_.tile_count(); ++tile) {
     if (renders(tile)) counts[static_cast<std::size_t>(tile)] = uniform_counts(samples);
   }
@@ -213,10 +258,11 @@ void Render::render_pixel(const TileWork& work, int x, int y, FilmTile& tile, Re
   const int image_y = tile.bounds.y + y;
   for (std::size_t half = 0; half < work.first.size(); ++half) {
     const int scrambling = static_cast<int>(half);
-    for (std::uint32_t number = work.first[half]; number < work.last[half]; ++number) {
+    const std::uint32_t before = first_sample(work.tile, half);
+    for (std::uint32_t number = before + work.first[half]; number < before + work.last[half]; ++number) {
       const Rgb radiance = sample(kernel_, image_x, image_y, scrambling, number, counter);
       if (tile.add(x, y, scrambling, radiance)) continue;
-      assert(false && "a sample is not finite");
+      assert(is_finite(radiance) && "a sample is not finite");
       ++done.rejected;
       const auto index = static_cast<std::uint64_t>(image_y) * film_.width() + image_x;
       done.first_rejected = std::min(done.first_rejected, index);
@@ -270,13 +316,16 @@ std::optional<NotFinite> Render::cause_of_rejection() const {
   const int x = static_cast<int>(all.first_rejected % width);
   const int y = static_cast<int>(all.first_rejected / width);
   const Kernel kernel = observing_kernel_of(scene_, settings_.integrator);
-  const FilmTile::Counts& counts = film_.counts_of(film_.tile_of(x, y));
+  const int tile = film_.tile_of(x, y);
+  const FilmTile::Counts& counts = film_.counts_of(tile);
   for (int scrambling = 0; scrambling < Film::Scramblings; ++scrambling) {
-    for (std::uint32_t number = 0; number < counts[static_cast<std::size_t>(scrambling)]; ++number) {
+    const auto half = static_cast<std::size_t>(scrambling);
+    const std::uint32_t first = first_sample(tile, half);
+    for (std::uint32_t number = first; number < first + counts[half]; ++number) {
       NotFinite found;
       RayCounter counter;
       counter.not_finite = &found;
-      if (!is_finite(sample(kernel, x, y, scrambling, number, counter))) return found;
+      if (!ExactRgbSum::can_add(sample(kernel, x, y, scrambling, number, counter))) return found;
     }
   }
   return NotFinite();
@@ -391,7 +440,7 @@ std::optional<RenderCost> Render::cost() const {
 /// The samples needed to reach the target or the last sample, whichever comes first. Forecasts take
 /// milliseconds, and progress is asked for often.
 ForecastValue Render::samples_needed(double samples) const {
-  const auto limit = static_cast<double>(settings_.samples);
+  const double limit = samples_wanted();
   if (!settings_.target_error) return {limit, limit, limit};
   const std::vector<ErrorCheck> known = checks();
   const double basis = known.empty() ? samples : known.back().samples;

@@ -13,6 +13,7 @@
 #include "renderer/transport/camera.h"
 #include "renderer/transport/film.h"
 #include "renderer/transport/forecast.h"
+#include "renderer/transport/image_part.h"
 #include "renderer/transport/integrators/kernel.h"
 #include "renderer/transport/tile_queue.h"
 
@@ -53,6 +54,10 @@ struct RenderSettings {
   std::optional<double> target_error;
   std::optional<double> max_seconds;  ///< stops after this time, with the samples so far
   std::optional<ProbeSettings> probe;
+  /// Only these samples are rendered. Of an adaptive image, they are samples of the pilot, of whole tiles,
+  /// unless `pilot` has it.
+  std::optional<ImagePart> part;
+  std::shared_ptr<const Film> pilot;  ///< of all tiles, for a part of an adaptive image
   PixelSampling pixel_sampling = PixelSampling::Sobol;
   int grid_columns = 1;  ///< for a regular placing; the rows follow from the samples
   SamplePattern pattern = SamplePattern::Sobol;
@@ -64,7 +69,7 @@ struct RenderSettings {
 struct RenderTotals {
   std::uint64_t paths = 0;
   std::uint64_t rays = 0;
-  /// Samples that were not finite; they count as black.
+  /// Samples that could not be added, see `ExactRgbSum::can_add`; they count as black.
   std::uint64_t rejected = 0;
   /// The index of the first pixel, row by row from the top, with such a sample.
   std::uint64_t first_rejected = std::numeric_limits<std::uint64_t>::max();
@@ -98,6 +103,10 @@ class Render {
   /// The scene must outlive the render.
   Render(const CompiledScene& scene, const RenderSettings& settings);
 
+  /// Returns the samples of each tile of the part that this renders; empty unless it renders one. Those of
+  /// the film begin with the first of these.
+  const std::vector<TileSamples>& part_samples() const { return part_samples_; }
+
   /// Resumes from the state of another render of the same image; to be called before `run`.
   void restore(const RenderTotals& totals);
   void restore_tile(int tile, const FilmTile& sums);
@@ -123,9 +132,9 @@ class Render {
   std::uint64_t path_count() const { return totals().paths; }
   double sampling_seconds() const { return totals().sampling_seconds; }
   std::uint64_t rejected_samples() const { return totals().rejected; }
-  /// Finds why the first pixel with non-finite samples has them, by drawing its samples again up to the first
-  /// such one. An empty term: each term was finite, but their product was not. To be called once `run` has
-  /// returned; empty if there are no such samples.
+  /// Finds why the first pixel with rejected samples has them, by drawing its samples again up to the first
+  /// such one. An empty term: each term was finite, but their product was too large. To be called once `run`
+  /// has returned; empty if there are no such samples.
   std::optional<NotFinite> cause_of_rejection() const;
   /// Lists what a sample of a pixel consists of, by sequence `scrambling` of the pixel, any number of which
   /// are independent. Needs no `run`; the integrator must be `Path`.
@@ -158,7 +167,12 @@ class Render {
 
  private:
   RenderEnd run_stages();
-  bool is_adaptive() const { return settings_.adaptive && settings_.pixel_sampling == PixelSampling::Sobol; }
+  bool is_adaptive() const {
+    return settings_.adaptive && settings_.pixel_sampling == PixelSampling::Sobol && part_samples_.empty();
+  }
+  void take_part();
+  std::uint32_t first_sample(int tile, std::size_t half) const;
+  double samples_wanted() const;
   int stage_from(int samples) const;
   std::vector<FilmTile::Counts> counts_at(int samples) const;
   bool exceeds(int samples) const;
@@ -202,6 +216,7 @@ class Render {
   Kernel kernel_;
   Camera camera_;
   Film film_;
+  std::vector<TileSamples> part_samples_;              ///< by tile; empty unless a part is rendered
   std::vector<bool> is_rendered_;                      ///< by tile
   double pixel_count_ = 0;                             ///< of these tiles
   std::optional<AdaptiveSampling> adaptive_sampling_;  ///< set once the pilot is done

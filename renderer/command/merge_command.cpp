@@ -1,0 +1,130 @@
+#include "renderer/command/merge_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "grf/diagnostics.h"
+#include "renderer/command/image_description.h"
+#include "renderer/command/json_values.h"
+#include "renderer/command/part_arguments.h"
+#include "renderer/command/render_output.h"
+#include "renderer/command/render_progress.h"
+#include "renderer/transport/part_merge.h"
+
+namespace command {
+namespace {
+
+using grf::Diagnostics;
+using grf::ExitCode;
+using transport::PartMerge;
+
+void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
+
+std::optional<PartMerge> merged(const std::vector<std::string>& paths, Diagnostics& diagnostics) {
+  PartMerge merge;
+  bool are_parts = true;
+  for (const std::string& path : paths) {
+    auto part = transport::read_part(path, diagnostics);
+    are_parts = part && merge.add(std::move(*part), path, diagnostics) && are_parts;
+  }
+  return are_parts ? std::optional(std::move(merge)) : std::nullopt;
+}
+
+ExitCode print_missing(const PartMerge& merge, bool as_json) {
+  auto list = nlohmann::ordered_json::array();
+  for (const transport::ImagePart& part : merge.missing()) {
+    list.push_back(flags_text(part));
+    if (!as_json) fmt::print("{}\n", flags_text(part));
+  }
+  if (as_json) fmt::print("{}\n", json_text(nlohmann::ordered_json{{"missing", list}}, false));
+  return list.empty() ? ExitCode::Done : ExitCode::BadInput;
+}
+
+/// Writes the image of all samples, and prints a summary.
+bool write_images(const PartMerge& merge, const MergeArguments& arguments, Diagnostics& diagnostics) {
+  const transport::SamplePart& sum = merge.sum();
+  const auto description =
+      image_description_of(sum.description, static_cast<std::size_t>(sum.width) * sum.height);
+  if (!description) {
+    diagnostics.error(grf::whole_file(arguments.parts.front()),
+                      "the part with the first sample does not say what image it is of");
+    return false;
+  }
+  if (sum.totals.rejected > 0) {
+    diagnostics.warning(
+        {}, fmt::format("{} in pixel ({}, {})", rejected_samples_text(sum.totals.rejected),
+                        sum.totals.first_rejected % sum.width, sum.totals.first_rejected / sum.width));
+  }
+  const transport::Film film = merge.film();
+  const auto estimate = film.error_estimate();
+  const image::ImageFile file = image_file_of(film, *description, sum.totals.seconds, estimate);
+  bool are_written = true;
+  for (const std::string& output : arguments.outputs)
+    are_written &= image::write_image(file, output, diagnostics);
+  nlohmann::ordered_json summary = {{"output", arguments.outputs.front()},
+                                    {"width", sum.width},
+                                    {"height", sum.height},
+                                    {"samples", double(sum.totals.paths) / sum.width / sum.height},
+                                    {"render_seconds", sum.totals.seconds},
+                                    {"estimated_error", nullptr},
+                                    {"estimated_error_interval", nullptr}};
+  if (estimate) {
+    summary["estimated_error"] = estimate->error;
+    summary["estimated_error_interval"] = {estimate->low, estimate->high};
+  }
+  if (arguments.json) {
+    fmt::print("{}\n", json_text(summary, false));
+    return are_written;
+  }
+  fmt::print("{}: {}x{} pixels, {} per pixel, rendered in {} altogether\n", arguments.outputs.front(),
+             sum.width, sum.height, samples_text(summary["samples"].get<double>()),
+             duration_text(sum.totals.seconds));
+  if (estimate) {
+    fmt::print("  estimated error {:.3g} %, with 95 % confidence {:.3g} to {:.3g} %\n", 100 * estimate->error,
+               100 * estimate->low, 100 * estimate->high);
+  }
+  return are_written;
+}
+
+bool write_sum(const PartMerge& merge, const MergeArguments& arguments, Diagnostics& diagnostics) {
+  const std::string& output = arguments.outputs.front();
+  if (output.ends_with(".part")) return transport::write_part(output, merge.sum(), diagnostics);
+  if (merge.missing().empty()) return write_images(merge, arguments, diagnostics);
+  diagnostics.error(
+      grf::whole_file(output),
+      "samples of the image lack: `bpt merge --missing` lists them; a name that ends in .part keeps "
+      "those that there are");
+  return false;
+}
+
+}  // namespace
+
+ExitCode merge(const MergeArguments& arguments) {
+  const bool has_part =
+      std::ranges::any_of(arguments.outputs, [](const auto& o) { return o.ends_with(".part"); });
+  if (arguments.outputs.empty() != arguments.lists_missing || (has_part && arguments.outputs.size() > 1)) {
+    fmt::print(stderr, "error: give --missing, or the output: images, or one part file\n");
+    return ExitCode::BadCommandLine;
+  }
+  Diagnostics diagnostics;
+  bool is_done = true;
+  for (const std::string& output : arguments.outputs) {
+    is_done &= has_part || image::image_format_of(output, diagnostics) != nullptr;
+    is_done &= can_write_file(output, has_part ? "part file" : "image", diagnostics);
+  }
+  const auto sum = is_done ? merged(arguments.parts, diagnostics) : std::nullopt;
+  if (sum && arguments.lists_missing) {
+    print(diagnostics);
+    return print_missing(*sum, arguments.json);
+  }
+  is_done = sum && write_sum(*sum, arguments, diagnostics);
+  print(diagnostics);
+  return is_done ? ExitCode::Done : ExitCode::BadInput;
+}
+
+}  // namespace command

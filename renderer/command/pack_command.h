@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "grf/diagnostics.h"
+#include "grf/exit_code.h"
+#include "renderer/command/render_arguments.h"
+
+namespace command {
+
+/// The command line of `bpt pack`.
+struct PackArguments {
+  std::string scene;  ///< an OP file, or a GRF scene
+  OptionFlags flags;  ///< become options of the packed OP file
+  std::string output;
+  bool json = false;
+};
+
+/// Packs a scene with all files that it reads into a job file, and prints its name.
+grf::ExitCode pack(const PackArguments& arguments);
+
+/// Whether a file is a job file, by its name.
+bool is_job_file(const std::string& path);
+
+/// A job file, unpacked into a temporary folder for as long as this lives.
+class UnpackedJob {
+ public:
+  UnpackedJob() = default;
+  UnpackedJob(const UnpackedJob&) = delete;
+  UnpackedJob& operator=(const UnpackedJob&) = delete;
+  ~UnpackedJob();
+
+  /// Unpacks a file and returns the path of its OP file; to be called once.
+  std::optional<std::string> unpack(const std::string& path, grf::Diagnostics& diagnostics);
+
+ private:
+  std::string folder_;
+};
+
+}  // namespace command
