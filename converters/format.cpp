@@ -14,6 +14,7 @@
 #include "converters/obj/obj.h"
 #include "converters/off/off.h"
 #include "converters/ply/ply.h"
+#include "converters/renderers/renderer_formats.h"
 #include "converters/vrml/vrml.h"
 #include "grf/keywords.h"
 #include "grf/text_file.h"
@@ -42,6 +43,16 @@ const Format* find_if(Condition condition) {
   return found == all.end() ? nullptr : &*found;
 }
 
+/// Returns the extension in lower case, without the dot.
+std::string extension_of(const std::string& path) {
+  const std::string extension = grf::lower_case(std::filesystem::path(path).extension().string());
+  return extension.empty() ? extension : extension.substr(1);
+}
+
+bool has_extension(const Format& format, const std::string& extension) {
+  return std::find(format.extensions.begin(), format.extensions.end(), extension) != format.extensions.end();
+}
+
 std::string readable_formats() {
   std::string names;
   for (const Format& format : formats()) {
@@ -54,10 +65,10 @@ std::string readable_formats() {
 
 std::span<const Format> formats() {
   static const std::array all = {
-      grf_format(), obj_format(),          ply_format(),      ply_ascii_format(), gltf_format(),
-      glb_format(), vrml_format(),         three_ds_format(), stl_format(),       off_format(),
-      dxf_format(), collada_format(),      fbx_format(),      lwo_format(),       ac3d_format(),
-      x_format(),   other_assimp_format(),
+      grf_format(), obj_format(),  ply_format(),     ply_ascii_format(),    gltf_format(),
+      glb_format(), pbrt_format(), mitsuba_format(), vrml_format(),         three_ds_format(),
+      stl_format(), off_format(),  dxf_format(),     collada_format(),      fbx_format(),
+      lwo_format(), ac3d_format(), x_format(),       other_assimp_format(),
   };
   return all;
 }
@@ -67,13 +78,16 @@ const Format* find_format(std::string_view name) {
 }
 
 const Format* format_of_name(const std::string& path) {
-  std::string extension = grf::lower_case(std::filesystem::path(path).extension().string());
-  if (extension.empty()) return nullptr;
-  extension.erase(0, 1);
-  return find_if([&extension](const Format& format) {
-    return std::find(format.extensions.begin(), format.extensions.end(), extension) !=
-           format.extensions.end();
+  const std::string extension = extension_of(path);
+  return find_if([&extension](const Format& format) { return has_extension(format, extension); });
+}
+
+const Format* read_format_of_name(const std::string& path) {
+  const std::string extension = extension_of(path);
+  const Format* read = find_if([&extension](const Format& format) {
+    return format.read != nullptr && has_extension(format, extension);
   });
+  return read != nullptr ? read : format_of_name(path);
 }
 
 const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics) {
@@ -81,7 +95,7 @@ const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics) 
   if (const Format* format = find_if([&](const Format& candidate) { return candidate.sniff(bytes); })) {
     return format;
   }
-  if (const Format* format = format_of_name(path)) return format;
+  if (const Format* format = read_format_of_name(path)) return format;
   // An unreadable file has an unknown format for another reason, which is reported instead.
   if (const auto whole = grf::read_file(path, diagnostics)) {
     diagnostics.error(grf::whole_file(path),
@@ -95,7 +109,8 @@ const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics) 
 std::optional<Import> read(const Format& format, const std::string& path, const ReadOptions& options,
                            grf::Diagnostics& diagnostics) {
   if (format.read == nullptr) {
-    diagnostics.error(grf::whole_file(path), fmt::format("{} files cannot be read", format.name));
+    diagnostics.error(grf::whole_file(path),
+                      fmt::format("{} files are only written, and cannot be read", format.name));
     return std::nullopt;
   }
   if (!options.variant.empty() && !format.has_variants) {

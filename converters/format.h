@@ -36,6 +36,13 @@ struct Import {
   bool is_grf = false;  ///< whether the scene is exactly one of GRF, also if it was embedded in another file
 };
 
+/// Options of writing, for formats that take them.
+struct WriteOptions {
+  /// The path of an OP file, for formats with a view: its camera, film and environment map are written;
+  /// empty: a default view.
+  std::string op_file;
+};
+
 /// The descriptor of a file format.
 struct Format {
   std::string_view name;                     ///< name for options: `obj`
@@ -52,6 +59,10 @@ struct Format {
 
   /// Writes a file, or leaves it unchanged and reports why. Null: the format is not written.
   bool (*write)(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) = nullptr;
+
+  /// Writes a file likewise, with options. Null: the format takes none.
+  bool (*write_view)(const grf::Scene& scene, const std::string& path, const WriteOptions& options,
+                     grf::Diagnostics& diagnostics) = nullptr;
 
   /// Whether written files embed the images of their textures.
   bool embeds_images = false;
@@ -71,6 +82,9 @@ const Format* find_format(std::string_view name);
 
 /// Finds the first format with the extension of a file's name, or returns null.
 const Format* format_of_name(const std::string& path);
+/// Finds the first format with that extension that is read, or else one that is only written, or returns
+/// null.
+const Format* read_format_of_name(const std::string& path);
 
 /// Detects the format of an existing file: by its content, or else by its name. Null after an error.
 const Format* recognise(const std::string& path, grf::Diagnostics& diagnostics);

@@ -143,6 +143,26 @@ LossText text_of(Loss loss) {
               "in OBJ all corners of a face have one, or none has"};
     case Loss::Observer:
       return {"observer was left out", "observers were left out", "the format has no irradiance"};
+    case Loss::BrdfFormula:
+      return {"face has a table in place of its BRDF's formula",
+              "faces have tables in place of their BRDF's formula", "the format has other models"};
+    case Loss::BrdfTexture:
+      return {"face that is not diffuse has the mean colour of its texture",
+              "faces that are not diffuse have the mean colour of their texture",
+              "only diffuse BRDFs of the format have one"};
+    case Loss::BrdfVertexColour:
+      return {"face that is not diffuse, or has a texture, has the mean colour of its mesh's vertices",
+              "faces that are not diffuse, or have a texture, have the mean colour of their mesh's vertices",
+              "only diffuse BRDFs of the format have them"};
+    case Loss::MirrorFresnel:
+      return {"face lost the dependence of its specular (delta) part on the angle",
+              "faces lost the dependence of their specular (delta) part on the angle",
+              "mirrors of the format have one reflectance"};
+    case Loss::EmitterNormal:
+      return {"face that emits lost the normals of its vertices",
+              "faces that emit lost the normals of their vertices", "its light would leave by them"};
+    case Loss::Backplate:
+      return {"backplate was left out", "backplates were left out", "the format has none"};
   }
   return {};
 }

@@ -65,6 +65,13 @@ enum class Loss {
   DeepTextureCoordinate,
   FlatNormal,
   Observer,
+  // Features that scenes of renderers lack.
+  BrdfFormula,
+  BrdfTexture,
+  BrdfVertexColour,
+  MirrorFresnel,
+  EmitterNormal,
+  Backplate,
 };
 
 class Losses {
@@ -81,7 +88,7 @@ class Losses {
                       grf::Diagnostics& diagnostics) const;
 
  private:
-  std::array<std::size_t, static_cast<std::size_t>(Loss::Observer) + 1> counts_ = {};
+  std::array<std::size_t, static_cast<std::size_t>(Loss::Backplate) + 1> counts_ = {};
 };
 
 }  // namespace convert

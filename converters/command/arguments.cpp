@@ -103,6 +103,11 @@ void define_conversion(CLI::App& app, Arguments& arguments) {
       "several inputs)");
   app.add_option("--to", arguments.to, "Output format, overriding the extension; default in a folder: grf")
       ->check(is_format_with(&Format::write));
+  app.add_option(
+         "--options", arguments.op_file,
+         "OP file with the camera, film, environment map, depth and samples of a pbrt or Mitsuba scene; "
+         "or give the OP file as the input, which names its scene")
+      ->check(CLI::ExistingFile);
   app.add_flag("--flatten", arguments.flat, "Expand included files and BRDF files into one GRF file");
   app.add_flag("--grf2008", arguments.grf2008, "Write GRF in its grammar of 2008, without extensions");
   add_input_options(app, arguments);
@@ -280,6 +285,7 @@ std::optional<BatchOptions> batch_options(const Arguments& arguments) {
   options.each.flat = arguments.flat;
   options.each.grf2008 = arguments.grf2008;
   options.each.only = arguments.only;
+  options.each.writing.op_file = arguments.op_file;
   options.each.operations.weld = arguments.weld;
   options.each.operations.smooth = arguments.smooth;
   options.each.operations.triangulate = arguments.triangulate;

@@ -25,6 +25,7 @@ struct Arguments {
   std::string normals = "keep";
   std::string subdivide;
   std::string transform;
+  std::string op_file;
   std::string up = "y";
   std::string unit = "m";
   std::vector<std::string> only;

@@ -21,6 +21,8 @@
 #include "grf/relocate.h"
 #include "grf/text_file.h"
 #include "grf/visit.h"
+#include "renderer/image/image.h"
+#include "renderer/options/op_file.h"
 
 namespace convert {
 namespace {
@@ -88,7 +90,10 @@ std::optional<WrittenFiles> write_all(grf::Scene& scene, const std::vector<Embed
   const bool is_ready = !options.grf2008 || old_grammar;
   const grf::Scene& written = old_grammar ? *old_grammar : scene;
   const Format& format = *output_format(options);
-  const bool is_written = is_ready && format.write(written, options.output, diagnostics);
+  const bool has_view = format.write_view != nullptr;
+  const bool is_written =
+      is_ready && (has_view ? format.write_view(written, options.output, options.writing, diagnostics)
+                            : format.write(written, options.output, diagnostics));
   if (is_written && !format.embeds_images) return files;
   remove_created(*files);
   return is_written ? std::optional(WrittenFiles()) : std::nullopt;
@@ -143,6 +148,20 @@ std::optional<WrittenFiles> try_to_write_all(grf::Scene& scene, const std::vecto
   const auto written = write_all(scene, embedded, elsewhere, said);
   say_of(options.output, said, diagnostics);
   return written ? std::optional(WrittenFiles()) : std::nullopt;
+}
+
+/// Replaces an OP file as the input by the scene that it names; nothing after an error.
+std::optional<ConvertOptions> with_scene_of_op_file(ConvertOptions options, grf::Diagnostics& diagnostics) {
+  if (!is_op_file(options.input.path)) return options;
+  const auto view = options::read_op_file(options.input.path, diagnostics);
+  if (!view) return std::nullopt;
+  if (view->scene.empty()) {
+    diagnostics.error(grf::whole_file(options.input.path), "it names no scene (BPT_Scene)");
+    return std::nullopt;
+  }
+  if (options.writing.op_file.empty()) options.writing.op_file = options.input.path;
+  options.input.path = view->scene;
+  return options;
 }
 
 struct Counts {
@@ -203,11 +222,23 @@ std::string problem_of(const ConvertOptions& options) {
   if ((options.flat || options.grf2008) && format->name != "grf") {
     return fmt::format("--flatten and --grf2008 are for GRF files, and this is {}", format->name);
   }
+  const bool has_view = !options.writing.op_file.empty() || is_op_file(options.input.path);
+  if (has_view && format->write_view == nullptr) {
+    return fmt::format("OP files are for scenes of renderers (pbrt, mitsuba), and this is {}", format->name);
+  }
   return {};
 }
 
-ExitCode convert_file(const ConvertOptions& options) {
+bool is_op_file(const std::string& path) { return image::has_extension(path, "op"); }
+
+ExitCode convert_file(const ConvertOptions& given) {
   grf::Diagnostics diagnostics;
+  const auto resolved = with_scene_of_op_file(given, diagnostics);
+  if (!resolved) {
+    print(diagnostics, given.quiet);
+    return ExitCode::BadInput;
+  }
+  const ConvertOptions& options = *resolved;
   auto input = read_input(options.input, diagnostics);
   if (input && input->format != output_format(options) && is_same_file(options.input.path, options.output)) {
     return bad_command_line(

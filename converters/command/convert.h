@@ -18,7 +18,8 @@ struct ConvertOptions {
   std::vector<std::string> only;          ///< names of the meshes to keep; empty: all
   MeshOperations operations;
   std::vector<grf::TransformStep> placement;  ///< transform of the whole scene
-  bool dry_run = false;                       ///< write no file
+  WriteOptions writing;
+  bool dry_run = false;  ///< write no file
   bool quiet = false;
   bool json = false;
 };
@@ -28,6 +29,9 @@ const Format* output_format(const ConvertOptions& options);
 
 /// Validates the options, whatever the input is: returns an error message, or an empty string.
 std::string problem_of(const ConvertOptions& options);
+
+/// Whether a file is an OP file, by its name: the input is the scene that it names, with its view.
+bool is_op_file(const std::string& path);
 
 /// Runs `grfconvert IN -o OUT` with valid options: nothing is written unless all of the input could be read.
 /// Prints one line, or one JSON object, on success.

@@ -9,6 +9,7 @@
 #include <map>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -98,6 +99,7 @@ class PlyWriter {
   }
 
   bool write(const std::string& path, grf::Diagnostics& diagnostics) const;
+  void write_colours_as_floats() { vertex_colours_.are_bytes = false; }
 
  private:
   void survey(const WorldMesh& placed);
@@ -273,6 +275,17 @@ bool write_flat(const grf::Scene& scene, bool is_text, const std::string& path,
 }
 
 }  // namespace
+
+bool write_ply_mesh(const grf::Mesh& mesh, const std::string& path, grf::Diagnostics& diagnostics) {
+  grf::Scene scene;
+  grf::Mesh bare = mesh;
+  bare.name.clear();
+  bare.surfaces.assign(mesh.surfaces.size(), grf::Surface());
+  scene.contents.blocks.push_back({grf::Shared<grf::Mesh>(std::move(bare)), {}, {}});
+  PlyWriter writer(scene, false);
+  writer.write_colours_as_floats();
+  return writer.write(path, diagnostics);
+}
 
 bool write_ply(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) {
   return write_flat(grf::flatten(scene, path), false, path, diagnostics);

@@ -18,4 +18,8 @@ bool write_ply(const grf::Scene& scene, const std::string& path, grf::Diagnostic
 /// Writes PLY as text, with the fewest digits that read back to the same float.
 bool write_ply_ascii(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics);
 
+/// Writes one mesh, untransformed, as binary PLY for a renderer: colours of its vertices are always floats,
+/// since renderers take bytes as sRGB-encoded. Attributes of its surfaces are not written.
+bool write_ply_mesh(const grf::Mesh& mesh, const std::string& path, grf::Diagnostics& diagnostics);
+
 }  // namespace convert

@@ -1,13 +1,7 @@
 // `bpt brdf export` tabulates a BRDF in a format of measured data, and states how far the table is from it.
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <functional>
-#include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -19,11 +13,8 @@
 #include "renderer/command/printed.h"
 #include "renderer/image/image.h"
 #include "renderer/reflectance/albedo.h"
-#include "renderer/reflectance/halton.h"
 #include "renderer/reflectance/merl_table.h"
-#include "renderer/reflectance/rgl_tables.h"
-#include "renderer/reflectance/rgl_writer.h"
-#include "renderer/reflectance/scheme.h"
+#include "renderer/reflectance/rgl_export.h"
 #include "renderer/reflectance/spectrum.h"
 #include "renderer/studies/brdf_instance.h"
 
@@ -32,45 +23,11 @@ namespace {
 
 using grf::Diagnostics;
 using grf::ExitCode;
+using reflectance::interpolation_error;
+using reflectance::InterpolationError;
 using reflectance::Reflector;
 using reflectance::Rgb;
 using reflectance::Vec3f;
-
-using Value = std::function<Rgb(const Vec3f& u, const Vec3f& v)>;
-
-struct InterpolationError {
-  double largest = 0;   ///< in 1/sr
-  double mean = 0;      ///< in 1/sr
-  double relative = 0;  ///< the mean as a fraction of the BRDF's mean
-};
-
-/// Measures the error over directions up to 85 degrees from the normal: beyond, models are unbounded.
-InterpolationError interpolation_error(const Value& table, const Reflector& reflector) {
-  constexpr std::uint32_t Count = 100'000;
-  constexpr float LeastCosine = 0.0871557F;
-  constexpr double GoldenRatio = 0.6180339887498949;
-  const bool is_anisotropic = reflectance::is_anisotropic(reflector.brdf());
-  InterpolationError error;
-  double mean_value = 0;
-  for (std::uint32_t i = 0; i < Count; ++i) {
-    const reflectance::Uniforms xi = reflectance::halton_point(i);
-    const float cosine = 1 - xi.choice * (1 - LeastCosine);
-    const auto turns = static_cast<float>(std::fmod(i * GoldenRatio, 1.0));
-    const float azimuth = is_anisotropic ? 2 * reflectance::Pi * turns : 0;
-    const Vec3f u = reflectance::from_angles(cosine, std::sqrt(1 - cosine * cosine), azimuth);
-    const float other = 1 - xi.direction.x * (1 - LeastCosine);
-    const Vec3f v = reflectance::from_angles(other, std::sqrt(1 - other * other),
-                                             azimuth + 2 * reflectance::Pi * xi.direction.y);
-    const Rgb value = reflector.evaluate(u, v);
-    const Rgb difference = table(u, v) - value;
-    const double size = std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)});
-    error.largest = std::max(error.largest, size);
-    error.mean += size / Count;
-    mean_value += double(std::max({value.x, value.y, value.z})) / Count;
-  }
-  error.relative = mean_value > 0 ? error.mean / mean_value : 0;
-  return error;
-}
 
 /// Directional albedos of a BRDF and of its table.
 struct AlbedoPair {
@@ -149,52 +106,31 @@ std::optional<Exported> export_merl(const Reflector& reflector, const std::strin
   return Exported{interpolation_error(value, reflector), {}, 0};
 }
 
-/// Reads a file's bytes as `rgl` does.
-Reflector reflector_of_file(std::string bytes) {
-  std::string problem;
-  const auto file =
-      reflectance::TensorFile::parse(std::make_shared<const std::string>(std::move(bytes)), problem);
-  auto tables = file ? reflectance::read_rgl_tables(*file, problem) : std::nullopt;
-  if (!tables) throw std::logic_error("the file that was made cannot be read: " + problem);
-  reflectance::Rgl rgl;
-  rgl.data = std::make_shared<const reflectance::RglData>(*std::move(tables));
-  return {rgl, reflectance::OwnScheme()};
-}
-
 /// Makes a file of the RGL data base, of which readers differ: pbrt takes spectra only, and Mitsuba 3 spectra
 /// in its spectral variants and RGB in the others.
-std::optional<Exported> export_rgl(const Reflector& reflector, const BrdfArguments& arguments,
-                                   Diagnostics& diagnostics) {
-  constexpr double Finer = 1.5;
-  constexpr double Finest = 4;
+std::optional<Exported> write_rgl(const Reflector& reflector, const BrdfArguments& arguments,
+                                  Diagnostics& diagnostics) {
   const bool is_spectral = arguments.reader.empty() ? !reflectance::wavelengths_of(reflector.brdf()).empty()
                                                     : arguments.reader != "mitsuba";
-  const auto colours = is_spectral ? reflectance::RglColours::Spectra : reflectance::RglColours::LinearSrgb;
   const grf::SourceLocation location = grf::whole_file(arguments.output);
   if (reflectance::has_specular_part(reflector.brdf()))
     diagnostics.warning(location, "the specular (delta) part is left out: a second material has to add it");
-  Exported exported;
-  exported.resolution = arguments.resolution.value_or(1);
-  for (;; exported.resolution *= Finer) {
-    const std::string bytes =
-        reflectance::rgl_file_of(reflector.brdf(), reflectance::RglResolution().times(exported.resolution),
-                                 colours, "made by Granada of " + arguments.instance);
-    const Reflector table = reflector_of_file(bytes);
-    exported.error =
-        interpolation_error([&](const Vec3f& u, const Vec3f& v) { return table.evaluate(u, v); }, reflector);
-    const bool is_fine = arguments.resolution || exported.error.relative <= arguments.largest_error;
-    if (!is_fine && exported.resolution * Finer <= Finest) continue;
-    if (!is_fine) {
-      diagnostics.error(location,
-                        fmt::format("the error is {:.2g} of the mean value at the finest resolution, {:.3g}; "
-                                    "--error {} is not reached",
-                                    exported.error.relative, exported.resolution, arguments.largest_error));
-      return std::nullopt;
-    }
-    if (!grf::replace_file(arguments.output, bytes, diagnostics)) return std::nullopt;
-    exported.albedos = albedos_of(reflector, table);
-    return exported;
+  reflectance::RglExportSettings settings;
+  settings.colours = is_spectral ? reflectance::RglColours::Spectra : reflectance::RglColours::LinearSrgb;
+  settings.resolution = arguments.resolution;
+  settings.largest_error = arguments.largest_error;
+  settings.description = "made by Granada of " + arguments.instance;
+  const reflectance::RglExport file = reflectance::export_rgl(reflector, settings);
+  if (!file.is_fine) {
+    diagnostics.error(location,
+                      fmt::format("the error is {:.2g} of the mean value at the finest resolution, {:.3g}; "
+                                  "--error {} is not reached",
+                                  file.error.relative, file.resolution, arguments.largest_error));
+    return std::nullopt;
   }
+  if (!grf::replace_file(arguments.output, file.bytes, diagnostics)) return std::nullopt;
+  return Exported{file.error, albedos_of(reflector, reflectance::reflector_of_rgl(file.bytes)),
+                  file.resolution};
 }
 
 }  // namespace
@@ -205,7 +141,7 @@ ExitCode export_brdf(const BrdfArguments& arguments) {
   if (!reflector) return ExitCode::BadInput;
   Diagnostics diagnostics;
   const bool is_rgl = image::has_extension(arguments.output, "bsdf");
-  const auto exported = is_rgl ? export_rgl(*reflector, arguments, diagnostics)
+  const auto exported = is_rgl ? write_rgl(*reflector, arguments, diagnostics)
                                : export_merl(*reflector, arguments.output, diagnostics);
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (!exported) return ExitCode::BadInput;

@@ -136,15 +136,20 @@ class Facets {
 /// Evaluates the channels of a file: RGB, or the values at wavelengths.
 class Channels {
  public:
-  Channels(const Brdf& brdf, RglColours colours) : brdf_(brdf) {
+  Channels(const Brdf& brdf, RglColours colours, const Rgb& colour) : brdf_(brdf), colour_(colour) {
     if (colours == RglColours::LinearSrgb) return;
-    for (int nanometres = 380; nanometres <= 780; nanometres += 20) {
-      wavelengths_.push_back(static_cast<float>(nanometres));
-    }
     const std::vector<float> own = wavelengths_of(brdf);
     has_spectrum_ = !own.empty();
-    if (std::holds_alternative<Rgl>(brdf) && has_spectrum_) wavelengths_ = own;
-    if (!has_spectrum_) find_curves();
+    if (std::holds_alternative<Rgl>(brdf) && has_spectrum_) {
+      wavelengths_ = own;
+    } else if (has_spectrum_) {
+      for (int nanometres = 380; nanometres <= 780; nanometres += 20) {
+        wavelengths_.push_back(static_cast<float>(nanometres));
+      }
+    } else {
+      wavelengths_ = {380, 470, 530, 560, 620, 780};  // where the slopes of the curves change
+    }
+    find_curves();
   }
 
   std::size_t count() const { return wavelengths_.empty() ? 3 : wavelengths_.size(); }
@@ -153,16 +158,25 @@ class Channels {
   /// Evaluates f(u, v) per channel. Below the horizon it is that of the mirrored direction.
   std::vector<double> evaluate(const V3d& u, const V3d& v) const {
     const V3d above(v.x, v.y, std::max(1e-4, std::abs(v.z)));
-    if (has_spectrum_) return spectrum_of(brdf_, u, above.normalized(), wavelengths_);
-    const Rgb rgb = reflectance::evaluate(brdf_, Vec3f(u), Vec3f(above.normalized()));
+    if (has_spectrum_) {
+      std::vector<double> values = spectrum_of(brdf_, u, above.normalized(), wavelengths_);
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] *= colour_spectrum_[i];
+      return values;
+    }
+    const Rgb rgb = colour_ * reflectance::evaluate(brdf_, Vec3f(u), Vec3f(above.normalized()));
     if (wavelengths_.empty()) return {double(rgb.x), double(rgb.y), double(rgb.z)};
+    return spectrum_with(rgb);
+  }
+
+ private:
+  /// Returns the sum of the curves that has an RGB, of which negative values are 0.
+  std::vector<double> spectrum_with(const Rgb& rgb) const {
     const V3d amounts = V3d(rgb) * of_rgb_;
     std::vector<double> values;
     for (const V3d& curve : curves_) values.push_back(std::max(0.0, curve.dot(amounts)));
     return values;
   }
 
- private:
   /// Makes three curves that sum to 1 everywhere, and the matrix whose amounts of them have a given RGB.
   void find_curves() {
     const auto ramp = [](double wavelength, double from, double to) {
@@ -184,10 +198,13 @@ class Channels {
       }
     }
     of_rgb_ = to_rgb.inverse();
+    colour_spectrum_ = spectrum_with(colour_);
   }
 
   const Brdf& brdf_;
-  std::vector<float> wavelengths_;  ///< empty: RGB
+  Rgb colour_;
+  std::vector<double> colour_spectrum_;  ///< of the colour; empty for RGB
+  std::vector<float> wavelengths_;       ///< empty: RGB
   bool has_spectrum_ = false;
   std::vector<V3d> curves_;  ///< by wavelength
   Imath::M33d of_rgb_;       ///< row vectors of RGB to amounts of the curves
@@ -271,9 +288,9 @@ RglResolution RglResolution::times(double factor) const {
 }
 
 std::string rgl_file_of(const Brdf& brdf, const RglResolution& resolution, RglColours colours,
-                        const std::string& description) {
+                        const std::string& description, const Rgb& colour) {
   const Facets facets(brdf, resolution.half_vectors);
-  const Channels channels(brdf, colours);
+  const Channels channels(brdf, colours, colour);
   const Views views(resolution, !is_anisotropic(brdf));
   const NodeGrid colour_grid{resolution.colours, resolution.colours};
   std::vector<ViewTables> tables(views.azimuths.size() * views.angles.size());

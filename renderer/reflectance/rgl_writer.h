@@ -29,7 +29,8 @@ enum class RglColours { LinearSrgb, Spectra };
 ///
 /// Spectra are those of the BRDF if it has wavelengths (`wavelengths_of`), and else sums of three smooth
 /// curves with its RGB, of which negative values are 0. An anisotropic BRDF is tabulated over the full turn.
+/// All values are multiplied by a colour.
 std::string rgl_file_of(const Brdf& brdf, const RglResolution& resolution, RglColours colours,
-                        const std::string& description);
+                        const std::string& description, const Rgb& colour = Rgb(1));
 
 }  // namespace reflectance

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "grf/framing.h"
 #include "renderer/reflectance/geometry.h"
 #include "renderer/transport/scene/compiled_scene.h"
 
@@ -25,15 +26,8 @@ Vec3f rightwards(const Vec3f& forward, const Vec3f& up) {
 View view_of(const grf::Box3d& bounds, float field_of_view, float aspect) {
   View view;
   view.field_of_view = field_of_view;
-  if (bounds.isEmpty()) {
-    view.eye = grf::Vec3d(0, 0, 1);
-    return view;
-  }
-  const double radius = bounds.size().length() > 0 ? bounds.size().length() / 2 : 1e-6;
-  const float tangent = half_height(field_of_view) * std::min(1.0F, aspect);
-  const float sine = tangent / std::sqrt(1 + tangent * tangent);
-  view.target = bounds.center();
-  view.eye = view.target + grf::Vec3d(0, 0.35, 1).normalized() * (radius / sine);
+  view.eye = grf::framing_eye(bounds, double(field_of_view), double(aspect));
+  if (!bounds.isEmpty()) view.target = bounds.center();
   return view;
 }
 
