@@ -182,7 +182,8 @@ void MitsubaWriter::put_material(std::size_t index) {
   const WrittenMaterial& material = scene_.materials[index];
   plugin("bsdf", "twosided", fmt::format(" id=\"material_{}\"", index + 1), [&] {
     if (material.mirror_share <= 0) return put_base(material);
-    if (material.mirror_share >= 1) return put_mirror(material.mirror);
+    const auto share = static_cast<float>(material.mirror_share);
+    if (material.base == Base::Black) return put_mirror(share * material.mirror);
     plugin("bsdf", "blendbsdf", "", [&] {
       number("weight", material.mirror_share);
       put_base(material);

@@ -1,14 +1,34 @@
 #include "converters/renderers/renderer_formats.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "converters/losses.h"
 #include "converters/renderers/mitsuba_text.h"
 #include "converters/renderers/pbrt_text.h"
 #include "converters/renderers/renderer_materials.h"
 #include "converters/renderers/written_scene.h"
+#include "converters/wording.h"
 #include "grf/text_file.h"
 
 namespace convert {
 namespace {
+
+/// Notes how far the tables of BRDFs are from them.
+void note_table_errors(const WrittenScene& scene, grf::Diagnostics& diagnostics) {
+  std::size_t tables = 0;
+  double largest = 0;
+  for (const WrittenMaterial& material : scene.materials) {
+    if (material.base != WrittenMaterial::Base::Measured) continue;
+    ++tables;
+    largest = std::max(largest, material.table_error);
+  }
+  if (tables == 0) return;
+  diagnostics.note(grf::whole_file(scene.path),
+                   fmt::format("{} with a mean error of up to {:.2g} % of the mean value",
+                               counted(tables, "BRDF is tabulated", "BRDFs are tabulated"), 100 * largest));
+}
 
 /// Writes a scene with its files; false after an error.
 bool write_scene(const grf::Scene& scene, const std::string& path, const WriteOptions& options,
@@ -18,6 +38,7 @@ bool write_scene(const grf::Scene& scene, const std::string& path, const WriteOp
   const auto written = write_scene_files(scene, path, options.op_file, target, losses, diagnostics);
   if (!written || !grf::replace_file(path, text(*written), diagnostics)) return false;
   losses.report_written(grf::whole_file(path), name, diagnostics);
+  note_table_errors(*written, diagnostics);
   return true;
 }
 

@@ -53,11 +53,14 @@ constexpr std::array MitsubaMaterials = {
                  "`diffuse`; `reflectance` is `kd` times the colour. It is the same formula",
                  "rgb (0.5, 1, 1) brdf diffuse kd=0.5", R"(<rgb name="reflectance" value="0.25 0.5 0.5"/>)",
                  ""},
-    MaterialRule{
-        "`specular`, and delta parts of one reflectance at all angles",
-        "`conductor` with `material` `none`; `specular_reflectance` times the `weight` of a `blendbsdf` "
-        "is the reflectance",
-        "brdf specular ks=0.75", R"(<float name="weight" value="0.75"/>)", ""},
+    MaterialRule{"`specular`",
+                 "`conductor` with `material` `none`; `specular_reflectance` is `ks` times the colour",
+                 "brdf specular ks=(0.75, 0.5, 0.25)",
+                 R"(<rgb name="specular_reflectance" value="0.75 0.5 0.25"/>)", ""},
+    MaterialRule{"delta parts of a sum, of one reflectance at all angles",
+                 "`blendbsdf` of the rest and such a `conductor`; `weight` is the largest channel of the "
+                 "reflectance, and the rest is tabulated over 1 - `weight`",
+                 "brdf coupled Rm=0.5 R0=1", R"(<rgb name="specular_reflectance" value="1 1 1"/>)", ""},
     MaterialRule{"delta parts that depend on the angle, as of `coupled`",
                  "the same with the mean reflectance over the hemisphere, weighted by the cosine",
                  "brdf coupled Rm=0.5 R0=0.05", R"(<bsdf type="blendbsdf">)", "specular (delta) part"},

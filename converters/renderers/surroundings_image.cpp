@@ -4,28 +4,28 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/parallel/loops.h"
+
 namespace convert {
 namespace {
 
 constexpr double Pi = std::numbers::pi;
-constexpr int SubsamplesAcross = 4;
-
 /// Fills an image with the mean of a function over each texel, by points at a regular grid in it.
 template <class Radiance>
-image::Image filled(int width, int height, const Radiance& radiance) {
+image::Image filled(int width, int height, int points_across, const Radiance& radiance) {
   image::Image image{width, height, {}};
-  image.pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      grf::Vec3d sum(0);
-      for (int i = 0; i < SubsamplesAcross * SubsamplesAcross; ++i) {
-        const double right = (i % SubsamplesAcross + 0.5) / SubsamplesAcross;
-        const double down = (i / SubsamplesAcross + 0.5) / SubsamplesAcross;
-        sum += grf::Vec3d(radiance(x + right, y + down));
-      }
-      image.pixels.emplace_back(sum / (SubsamplesAcross * SubsamplesAcross));
+  image.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  parallel::for_each_index(image.pixels.size(), [&](std::size_t i) {
+    const auto row = static_cast<double>(i / static_cast<std::size_t>(width));
+    const auto column = static_cast<double>(i % static_cast<std::size_t>(width));
+    grf::Vec3d sum(0);
+    for (int k = 0; k < points_across * points_across; ++k) {
+      const double right = (k % points_across + 0.5) / points_across;
+      const double down = (k / points_across + 0.5) / points_across;
+      sum += grf::Vec3d(radiance(column + right, row + down));
     }
-  }
+    image.pixels[i] = grf::Colour(sum / (points_across * points_across));
+  });
   return image;
 }
 
@@ -59,7 +59,7 @@ image::Image equal_area_image(const Surroundings& surroundings) {
   // Twice as fine as the texels at the horizon of the original, of solid angle 2 pi^2/(width height).
   const double texels = double(surroundings.image.width) * double(surroundings.image.height);
   const int size = std::clamp(static_cast<int>(std::ceil(2 * std::sqrt(texels * 2 / Pi))), 16, 4096);
-  return filled(size, size, [&](double x, double y) {
+  return filled(size, size, 6, [&](double x, double y) {
     return radiance_from(surroundings, equal_area_direction(grf::Vec2d(x, y) / size));
   });
 }
@@ -72,7 +72,7 @@ image::Image mitsuba_latitude_longitude(const Surroundings& surroundings) {
   const int finer = std::clamp(Widest / std::max(1, original.width), 1, 4);
   const int width = std::max(4, finer * original.width);
   const int height = std::max(4, finer * original.height + 1);
-  return filled(width, height, [&](double x, double y) {
+  return filled(width, height, 2, [&](double x, double y) {
     const double phi = 2 * Pi * x / width;
     const double theta = std::clamp(Pi * (y - 0.5) / (height - 1), 0.0, Pi);
     return radiance_from(

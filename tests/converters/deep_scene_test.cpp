@@ -36,6 +36,7 @@ TEST(DeepScenes, AreWrittenInEachFormatAndReadAgain) {
       const std::string path = folder.path("deep." + std::string(format.extensions.front()));
       grf::Diagnostics diagnostics;
       ASSERT_TRUE(format.write(scene, path, diagnostics)) << format.name << diagnostics.to_text();
+      if (format.read == nullptr && format.write_view != nullptr) continue;
       const Reading again = read_path(path);
       ASSERT_TRUE(again.scene) << format.name << again.text();
       EXPECT_FLOAT_EQ(grf::summarize(*again.scene).bounds.max.x, 1001) << format.name;

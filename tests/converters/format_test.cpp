@@ -38,8 +38,14 @@ TEST(Formats, HaveAllThatTheTableNeeds) {
       EXPECT_EQ(grf::lower_case(extension), extension);
       const Format* of_name = format_of_name("some.folder/file." + std::string(extension));
       ASSERT_NE(of_name, nullptr);
-      // Of formats with one extension, all but the first are other ways to write it, which a name asks for.
-      EXPECT_TRUE(of_name == &format || (of_name < &format && format.read == nullptr)) << format.name;
+      // Of formats with one extension, all but the first are other ways to write it, which a name asks for;
+      // a format that is only read may have that of one that is only written.
+      const bool is_shared = of_name->read == nullptr && format.write == nullptr;
+      EXPECT_TRUE(of_name == &format || (of_name < &format && (format.read == nullptr || is_shared)))
+          << format.name;
+      if (format.read != nullptr) {
+        EXPECT_EQ(read_format_of_name("file." + std::string(extension)), &format);
+      }
     }
   }
 }
@@ -66,6 +72,14 @@ TEST(Formats, AreToldByNameWhereTheContentSaysNothing) {
 TEST(Formats, OfNamesAreTheFirstOfTheirExtension) {
   EXPECT_EQ(format_of_name("a.ply"), find_format("ply"));
   EXPECT_EQ(recognised("a.ply", "something else"), "ply");
+}
+
+TEST(Formats, OfXmlAreMitsubaIfItIsAScene) {
+  EXPECT_EQ(recognised("a.xml", "<?xml version=\"1.0\"?>\n<!-- x -->\n<scene version=\"3.0.0\">"), "mitsuba");
+  EXPECT_EQ(recognised("a.xml", "<mesh>"), "other");
+  EXPECT_EQ(recognised("a.xml", "<!-- <scene version=\"3.0.0\">"), "other");
+  EXPECT_EQ(format_of_name("a.xml"), find_format("mitsuba"));
+  EXPECT_EQ(recognised("a.pbrt", "WorldBegin"), "pbrt");
 }
 
 TEST(Formats, OfFilesThatCannotBeToldAreAnError) {

@@ -1,0 +1,185 @@
+// The materials of exported scenes.
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "converters/renderers/written_material.h"
+#include "grf/read.h"
+#include "renderer/image/image_file.h"
+#include "renderer/reflectance/rgl_data.h"
+#include "tests/converters/reading.h"
+#include "tests/converters/renderers/exported_scene.h"
+
+namespace convert {
+namespace {
+
+using grf::Vec3d;
+using testing::HasSubstr;
+
+/// Evaluates f of a table as an independent reader of the file.
+Vec3d evaluate(const std::string& path, const Vec3d& u, const Vec3d& v) {
+  grf::Diagnostics diagnostics;
+  const auto data = reflectance::RglData::load(path, diagnostics, {});
+  EXPECT_NE(data, nullptr) << diagnostics.to_text();
+  return data ? Vec3d(data->evaluate(u, v)) : Vec3d(0);
+}
+
+const test::PbrtEntity& only_pbrt_material(const ExportedScene& scene) {
+  return scene.pbrt().materials.at(scene.pbrt().shapes.at(0).material);
+}
+
+const test::MitsubaElement& only_mitsuba_material(const ExportedScene& scene) {
+  return scene.mitsuba().child("bsdf").child("bsdf");
+}
+
+TEST(RendererMaterials, AreTabulatedWithTheirColour) {
+  const ExportedScene scene(cube("rgb (0.75, 0.5, 0.25) brdf oren s=0.5 r=0.8"));
+  const std::string spectral = scene.path(only_pbrt_material(scene).string("filename"));
+  const std::string rgb = scene.path(only_mitsuba_material(scene).values.at("filename"));
+  EXPECT_THAT(test::bytes_of(spectral), HasSubstr("wavelengths"));
+  EXPECT_THAT(test::bytes_of(rgb), testing::Not(HasSubstr("wavelengths")));
+  const auto brdf = reflectance::make_brdf([] {
+    grf::Diagnostics diagnostics;
+    return *grf::read_brdf("oren s=0.5 r=0.8", "test", diagnostics);
+  }());
+  for (const double angle : {0.1, 0.5, 1.0}) {
+    const Vec3d u(std::sin(angle), 0, std::cos(angle));
+    const Vec3d v(-0.3, 0.4, std::sqrt(0.75));
+    const Vec3d value(reflectance::evaluate(*brdf, grf::Vec3f(u), grf::Vec3f(v)));
+    const Vec3d expected = value * Vec3d(0.75, 0.5, 0.25);
+    EXPECT_LT((evaluate(rgb, u, v) - expected).length(), 0.02 * expected.length()) << angle;
+    EXPECT_LT((evaluate(spectral, u, v) - expected).length(), 0.02 * expected.length()) << angle;
+  }
+  EXPECT_THAT(scene.pbrt_warnings(), HasSubstr("6 faces have tables in place of their BRDF's formula"));
+  EXPECT_THAT(scene.pbrt_warnings(), HasSubstr("1 BRDF is tabulated with a mean error of up to"));
+}
+
+TEST(RendererMaterials, OfPbrtAreConductorsOnlyWhereTheFormulaIsTheSame) {
+  const ExportedScene scene(cube("brdf ggx alpha=0.25 nreal=1.5 nimag=2 scattering=single"));
+  const test::PbrtEntity& material = only_pbrt_material(scene);
+  EXPECT_EQ(material.plugin, "conductor");
+  EXPECT_EQ(material.number("roughness"), 0.25);
+  EXPECT_EQ(material.string("remaproughness"), "false");
+  EXPECT_EQ(material.parameters.at("eta").numbers[1], 1.5);
+  EXPECT_EQ(material.parameters.at("eta").numbers[3], 1.5);
+  EXPECT_EQ(material.parameters.at("k").numbers[1], 2);
+  EXPECT_EQ(only_mitsuba_material(scene).type, "measured");
+  for (const char* other :
+       {"ggx alpha=0.25 nreal=1.5 nimag=2", "ggx alpha=0.25 ay=0.5 scattering=single",
+        "ggx alpha=0.25 F0=0.5 scattering=single", "ggx alpha=0.25 nreal=(1, 2, 3) scattering=single"}) {
+    EXPECT_EQ(only_pbrt_material(ExportedScene(cube(fmt::format("brdf {}", other)))).plugin, "measured")
+        << other;
+  }
+  EXPECT_EQ(only_pbrt_material(ExportedScene(cube("rgb (1, 1, 0.5) brdf ggx scattering=single"))).plugin,
+            "measured");
+}
+
+TEST(RendererMaterials, OfMirrorsHaveTheirReflectance) {
+  const ExportedScene scene(cube("rgb (0.5, 1, 1) brdf specular ks=0.75"));
+  const test::PbrtEntity& mix = only_pbrt_material(scene);
+  EXPECT_EQ(mix.plugin, "mix");
+  EXPECT_EQ(mix.number("amount"), 0.75);
+  const auto& names = mix.parameters.at("materials").strings;
+  // The amount is the probability of the second.
+  EXPECT_EQ(scene.pbrt().materials.at(names[0]).rgb("reflectance"), Vec3d(0));
+  EXPECT_EQ(scene.pbrt().materials.at(names[1]).plugin, "conductor");
+  EXPECT_EQ(scene.pbrt().materials.at(names[1]).rgb("reflectance"), Vec3d(0.5, 1, 1));
+  EXPECT_EQ(scene.pbrt().materials.at(names[1]).number("roughness"), 0);
+  const test::MitsubaElement& mirror = only_mitsuba_material(scene);
+  EXPECT_EQ(mirror.type, "conductor");
+  EXPECT_EQ(mirror.values.at("material"), "none");
+  EXPECT_EQ(mirror.lists.at("specular_reflectance"), (std::vector<double>{0.375, 0.75, 0.75}));
+}
+
+TEST(RendererMaterials, OfSumsWithAMirrorAreBlended) {
+  const ExportedScene scene(
+      "def clay = brdf diffuse kd=0.8 shine = brdf specular ks=1 "
+      "both = brdf combine 0.5 clay, 0.25 shine begin " +
+      cube("brdf both") + " end");
+  const test::PbrtEntity& mix = only_pbrt_material(scene);
+  EXPECT_EQ(mix.number("amount"), 0.25);
+  const auto& names = mix.parameters.at("materials").strings;
+  const std::string table = scene.path(scene.pbrt().materials.at(names[0]).string("filename"));
+  // Three quarters of the table are the diffuse part of the sum.
+  const Vec3d value = 0.75 * evaluate(table, {0, 0, 1}, {0.6, 0, 0.8});
+  EXPECT_LT((value - Vec3d(0.4 / M_PI)).length(), 0.01);
+  const test::MitsubaElement& blend = only_mitsuba_material(scene);
+  EXPECT_EQ(blend.type, "blendbsdf");
+  EXPECT_EQ(blend.number("weight"), 0.25);
+  EXPECT_EQ(blend.all("bsdf").at(0).type, "measured");
+  EXPECT_EQ(blend.all("bsdf").at(1).type, "conductor");
+}
+
+// The mean of Schlick's R0 + (1 - R0) (1 - c)^5 by the cosine is R0 + (1 - R0)/21.
+TEST(RendererMaterials, OfMirrorsThatVaryHaveTheMean) {
+  const ExportedScene scene(cube("brdf coupled Rm=0.5 R0=0.16"));
+  EXPECT_NEAR(only_pbrt_material(scene).number("amount"), 0.16 + 0.84 / 21, 1e-3);
+  EXPECT_NEAR(only_mitsuba_material(scene).number("weight"), 0.2, 1e-3);
+  EXPECT_THAT(scene.mitsuba_warnings(),
+              HasSubstr("6 faces lost the dependence of their specular (delta) part"));
+}
+
+TEST(RendererTextures, OfDiffuseFacesIncludeTheColour) {
+  const test::TemporaryFolder files;
+  grf::Diagnostics diagnostics;
+  image::Image image{2, 2, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5F, 0.5F, 0.5F}}};
+  ASSERT_TRUE(image::write_image({image}, files.path("wood.exr"), diagnostics));
+  const std::string quad =
+      "begin mesh rgb (0.5, 1, 1) brdf {} texture \"wood.exr\" begin vertexs uv (0, 0) (0,0,0) uv (1, 0) "
+      "(1,0,0) uv (0, 1) (0,1,0) end begin faces (0,1,2) end end";
+  const ExportedScene scene(fmt::format(fmt::runtime(quad), "diffuse kd=0.5"), {}, files);
+  const std::string texture = only_pbrt_material(scene).string("reflectance");
+  const std::vector<std::string> names = {
+      scene.pbrt().textures.at(texture).string("filename"),
+      only_mitsuba_material(scene).child("texture").values.at("filename")};
+  for (const std::string& name : names) {
+    EXPECT_EQ(scene.image(name).at(0, 0), grf::Colour(0.25F, 0, 0));
+    EXPECT_EQ(scene.image(name).at(1, 1), grf::Colour(0.125F, 0.25F, 0.25F));
+  }
+  const grf::Mesh mesh = scene.pbrt_meshes().at(0);
+  EXPECT_EQ(mesh.geometry->uvs[mesh.face(0)[2]], grf::Vec2f(0, 1));
+  // (0,0) is the lower left corner in pbrt, and the upper left one in Mitsuba.
+  EXPECT_EQ(scene.mitsuba().child("shape").values.at("flip_tex_coords"), "true");
+
+  const ExportedScene glossy(fmt::format(fmt::runtime(quad), "oren s=0 r=0.5"), {}, files);
+  const std::string table = glossy.path(only_mitsuba_material(glossy).values.at("filename"));
+  const Vec3d expected = 0.5 / M_PI * Vec3d(0.5, 1, 1) * Vec3d(1.5 / 4);
+  EXPECT_LT((evaluate(table, {0, 0, 1}, {0.6, 0, 0.8}) - expected).length(), 0.002);
+  EXPECT_THAT(glossy.pbrt_warnings(), HasSubstr("has the mean colour of its texture"));
+}
+
+TEST(RendererFormats, AreOnlyWritten) {
+  const test::TemporaryFolder folder;
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+           {"a.pbrt", "WorldBegin\n"}, {"a.xml", "<!-- a -->\n<scene version=\"3.0.0\"></scene>"}}) {
+    grf::Diagnostics diagnostics;
+    const std::string path = folder.add(name, text);
+    const Format* format = recognise(path, diagnostics);
+    ASSERT_NE(format, nullptr);
+    EXPECT_FALSE(read(*format, path, {}, diagnostics).has_value());
+    EXPECT_THAT(diagnostics.to_text(), HasSubstr("files are only written, and cannot be read"));
+  }
+}
+
+TEST(RendererFormats, RefuseAnEmptySceneAndABadOpFile) {
+  const test::TemporaryFolder folder;
+  folder.add("scene.grf", cube());
+  for (const char* name : {"pbrt", "mitsuba"}) {
+    grf::Diagnostics diagnostics;
+    EXPECT_FALSE(find_format(name)->write({}, folder.path("out"), diagnostics));
+    EXPECT_THAT(diagnostics.to_text(), HasSubstr("the scene has no faces"));
+    const WriteOptions options{
+        folder.add("bad.op", "BPT_Viewer 0 0 0\nBPT_VLook 0 0 0\nBPT_Scene scene.grf\n")};
+    grf::Diagnostics of_view;
+    EXPECT_FALSE(find_format(name)->write_view(scene_of_grf(cube()), folder.path("out"), options, of_view));
+    EXPECT_THAT(of_view.to_text(), HasSubstr("the eye is at the point it looks at"));
+  }
+}
+
+}  // namespace
+}  // namespace convert
