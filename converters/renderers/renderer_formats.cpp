@@ -90,6 +90,7 @@ Format pbrt_format() {
   format.write_view = write_pbrt;
   format.keeps = Kept;
   format.loses = Lost;
+  format.embeds_images = true;
   format.written_materials = pbrt_materials();
   return format;
 }
@@ -106,6 +107,7 @@ Format mitsuba_format() {
   format.write_view = write_mitsuba;
   format.keeps = Kept;
   format.loses = Lost;
+  format.embeds_images = true;
   format.written_materials = mitsuba_materials();
   return format;
 }

@@ -57,12 +57,10 @@ constexpr std::array MitsubaMaterials = {
                  "`conductor` with `material` `none`; `specular_reflectance` is `ks` times the colour",
                  "brdf specular ks=(0.75, 0.5, 0.25)",
                  R"(<rgb name="specular_reflectance" value="0.75 0.5 0.25"/>)", ""},
-    MaterialRule{"delta parts of a sum, of one reflectance at all angles",
+    MaterialRule{"`specular` in a sum, and delta parts that depend on the angle, as of `coupled`",
                  "`blendbsdf` of the rest and such a `conductor`; `weight` is the largest channel of the "
-                 "reflectance, and the rest is tabulated over 1 - `weight`",
-                 "brdf coupled Rm=0.5 R0=1", R"(<rgb name="specular_reflectance" value="1 1 1"/>)", ""},
-    MaterialRule{"delta parts that depend on the angle, as of `coupled`",
-                 "the same with the mean reflectance over the hemisphere, weighted by the cosine",
+                 "reflectance, or of its mean over the hemisphere, weighted by the cosine, and the rest is "
+                 "tabulated over 1 - `weight`",
                  "brdf coupled Rm=0.5 R0=0.05", R"(<bsdf type="blendbsdf">)", "specular (delta) part"},
     MaterialRule{"all others, and weighted sums, layers and measured data",
                  "`measured`, with a table in RGB, which the RGB variants of Mitsuba read, that includes the "

@@ -210,12 +210,15 @@ TEST(Grfconvert, BadCommandLinesAreToldFromBadInput) {
             "--brdf:1:1: error: unknown BRDF 'wrad': did you mean 'ward'?"},
            {{input, "-o", output, "--brdf", "ward sx="}, "--brdf:1:9: error: "},
            {{input, "-o", output, "--unknown"}, "--unknown"},
+           {{input, "-o", output, "--options", folder.path("none.op")}, "--options"},
+           {{folder.path("view.op"), "-o", output},
+            "OP files are for scenes of renderers (pbrt, mitsuba), and this is grf"},
            {{input, input, "-o", folder.path()}, "would both be written to '" + folder.path("t.grf") + "'"},
            {{input, folder.path("b.obj"), "-o", output},
             "several files need an output folder, and '" + output},
            {{input, folder.path("b.obj"), "-o", input}, "several files need an output folder, and '" + input},
            {{input, "-o", folder.path("made/"), "--to", "3ds"},
-            "3ds not in {grf,obj,ply,ply-ascii,gltf,glb,stl}"},
+            "3ds not in {grf,obj,ply,ply-ascii,gltf,glb,pbrt,mitsuba,stl}"},
            {{input, "-o", output, "--weld", "-1"},
             "--weld: -1 is out of range, expected a length of 0 or more"},
            {{input, "-o", output, "--weld", "x"}, "--weld"},
@@ -249,6 +252,35 @@ TEST(Grfconvert, BadCommandLinesAreToldFromBadInput) {
     EXPECT_THAT(outcome.out, IsEmpty());
   }
   EXPECT_THAT(folder.names(), ElementsAre("t.obj"));
+}
+
+TEST(GrfconvertRenderers, TakeTheViewOfAnOpFile) {
+  const TemporaryFolder folder;
+  folder.add("in/scene.grf", "begin mesh" + test::Faces);
+  const std::string op = folder.add("in/view.op", "BPT_Scene scene.grf\nBPT_Image_Resolution 72 36\n");
+  const std::string other = folder.add("other.op", "BPT_Scene in/scene.grf\nBPT_Image_Resolution 80 40\n");
+  const auto text = [&](const std::vector<std::string>& arguments, const std::string& output) {
+    const test::Outcome outcome = grfconvert(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return test::bytes_of(output);
+  };
+  const std::string pbrt = folder.path("a.pbrt");
+  EXPECT_THAT(text({op, "-o", pbrt}, pbrt), HasSubstr("\"integer xresolution\" [ 72 ]"));
+  EXPECT_THAT(folder.names(), testing::Contains("a_pbrt"));
+  const std::string xml = folder.path("a.xml");
+  EXPECT_THAT(text({folder.path("in/scene.grf"), "--options", op, "-o", xml}, xml),
+              HasSubstr("<integer name=\"width\" value=\"72\"/>"));
+  EXPECT_THAT(text({op, "--options", other, "-o", xml}, xml),
+              HasSubstr("<integer name=\"width\" value=\"80\"/>"));
+  EXPECT_THAT(text({folder.path("in/scene.grf"), "-o", xml}, xml), HasSubstr("value=\"500\"/>"));
+
+  const std::string bad = folder.add("bad.op", "BPT_Depth -1\n");
+  const test::Outcome outcome = grfconvert({bad, "-o", folder.path("b.pbrt")});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("bad.op:1"));
+  const test::Outcome reading = grfconvert({xml, "-o", folder.path("b.grf")});
+  EXPECT_EQ(reading.exit_code, 1);
+  EXPECT_THAT(reading.err, HasSubstr("mitsuba files are only written, and cannot be read"));
 }
 
 TEST(Grfconvert, HelpIsNoError) {

@@ -13,6 +13,7 @@
 #include "tests/converters/reading.h"
 #include "tests/converters/renderers/mitsuba_scene.h"
 #include "tests/converters/renderers/pbrt_scene.h"
+#include "tests/support/paths.h"
 
 namespace convert {
 namespace {
