@@ -172,7 +172,6 @@ class Parser {
   Token token_;
   int line_ = 1;
   bool in_world_ = false;
-  bool has_camera_ = false;
   std::string object_;
   std::set<std::string> objects_;
   std::vector<State> states_ = {State()};

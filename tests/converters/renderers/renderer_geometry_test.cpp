@@ -202,7 +202,9 @@ TEST(RendererColours, OfVerticesAreAnImageForPbrt) {
                                                          {{1, 0, 0}, {1, 1, 1}, {1, 1, 1}}};
   ASSERT_EQ(mesh.face_count(), 3U);
   for (std::size_t face = 0; face < 3; ++face) {
-    for (const auto& [a, b] : std::vector<std::pair<float, float>>{{0, 0}, {1, 0}, {0, 1}, {0.2F, 0.3F}}) {
+    for (const grf::Vec2f& place : std::vector<grf::Vec2f>{{0, 0}, {1, 0}, {0, 1}, {0.2F, 0.3F}}) {
+      const float a = place.x;
+      const float b = place.y;
       const auto corners = mesh.face(face);
       const auto mix = [&](const auto& of) { return of(0) * (1 - a - b) + of(1) * a + of(2) * b; };
       const grf::Vec2f uv = mix([&](std::size_t k) { return mesh.geometry->uvs[corners[k]]; });
