@@ -17,6 +17,7 @@ struct GltfFormula {
 #include "renderer/reflectance/fibres.glsl"
 #include "renderer/reflectance/fresnel.glsl"
 #include "renderer/reflectance/gltf.glsl"
+#include "renderer/reflectance/layering.glsl"
 #include "renderer/reflectance/microfacets.glsl"
 };
 
@@ -155,7 +156,7 @@ Ec, Es, Ed: albedos of the coat, the fibres and the dielectric;  Em: the mean of
     if (!is_black(sheen_colour)) {
       const float fibres = Formula().sheen_albedo(u.z, sheen_roughness);
       albedos.rest = below * mean(sheen_colour) * fibres;
-      below *= 1 - std::min(1.0F, Formula().gltf_largest(sheen_colour) * fibres);
+      below *= 1 - std::min(1.0F, Formula().largest_channel(sheen_colour) * fibres);
     }
     const Rgb normal = normal_ + (base - normal_) * metallic;
     const float grazing = specular + (1 - specular) * metallic;
