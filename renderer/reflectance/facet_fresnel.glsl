@@ -43,11 +43,15 @@ vec3 ggx_reflectance(vec3 u, vec3 v, vec3 n, vec3 k, vec3 f0, vec3 f82) {
   return ggx_fresnel(c, squared_sine_at_half(u, v), n, k);
 }
 
-// Returns the mean reflectance of facets over the hemisphere, weighted by the cosine, by Schlick's
-// approximation with its dip at 82 degrees.
+// Returns the mean over the hemisphere, weighted by the cosine, of Schlick's approximation with its dip.
+vec3 ggx_mean_tinted(vec3 normal, vec3 dip) {
+  vec3 mean_value = normal + (vec3(1) - normal) / real(21) - dip / real(126);
+  return min(max(mean_value, real(0)), real(1));
+}
+
+// Returns the mean reflectance of facets over the hemisphere, weighted by the cosine, by that approximation.
 vec3 ggx_mean_reflectance(vec3 n, vec3 k, vec3 f0, vec3 f82) {
   vec3 normal = ggx_at_normal(n, k, f0);
   vec3 at_82 = ggx_has_colour(f0) ? f82 * ggx_schlick_at_82(f0) : ggx_fresnel(real(1) / 7, real(48) / 49, n, k);
-  vec3 mean_value = normal + (vec3(1) - normal) / real(21) - ggx_dip(normal, at_82) / real(126);
-  return min(max(mean_value, real(0)), real(1));
+  return ggx_mean_tinted(normal, ggx_dip(normal, at_82));
 }

@@ -105,8 +105,8 @@ real ggx_mean_cosine(real c, real alpha) {
   return sqrt(min(real(1), max(c * c + root * (level + c * (slope + c * curve)), real(0))));
 }
 
-// Returns the cosine at which a single facet reflects, by Fresnel's equations, about as much as facets do that are seen
-// at c. Towards grazing these are the more reflecting of them, and not the mean.
+// Returns the cosine at which a single facet reflects, by Fresnel's equations, about as much as facets do that are
+// seen at c. Towards grazing it is less than their mean, since the steeper ones reflect more.
 real ggx_fresnel_cosine(real c, real alpha) {
   real mean_value = ggx_mean_cosine(c, alpha);
   return mean_value + (ggx_schlick_cosine(c, alpha) - mean_value) * ((1 - c) * (1 + c));
