@@ -138,7 +138,7 @@ C = (1 - coatWeight + coatWeight (1 - max(Ec(u), Ec(v))) coatColor^((p(u) + p(v)
 d = (1 - K)/(1 - Eb K);  p(u) = 1/sqrt(1 - (1 - cu^2)/coatIor^2);  K: what the coat's inside reflects;  m = metalness
 Ed, Ec, Es: albedos of dielectric, coat and fibres;  Eb: the base's at normal incidence;  k, E, M, DG as of ggx;  fs: sheen)",
         .example =
-            "openpbr baseColor=(0.6, 0.1, 0.05) metalness=0.5 roughness=0.4 coatWeight=1 coatRoughness=0.1",
+            "openpbr baseColor=(0.6, 0.1, 0.05) metalness=0.5 roughness=0.4 coatWeight=1 coatRoughness=0.3",
     };
   }
 
