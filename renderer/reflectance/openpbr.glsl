@@ -97,11 +97,12 @@ vec3 openpbr_transmitted(real c, OpenPbrSurface s) {
   return max(vec3(1) - reflected * (1 - missing) - s.between * missing, real(0));
 }
 
-// Returns the mean of that over the hemisphere, weighted by the cosine: by Gauss and Jacobi's rule of three places.
+// Returns the mean of that over the hemisphere, weighted by the cosine.
 vec3 openpbr_mean_transmitted(OpenPbrSurface s) {
-  return openpbr_transmitted(real(0.21234054f), s) * real(0.13965396f) +
-         openpbr_transmitted(real(0.59053314f), s) * real(0.45848221f) +
-         openpbr_transmitted(real(0.91141204f), s) * real(0.40186383f);
+  vec3 cosines = hemisphere_cosines();
+  vec3 weights = hemisphere_weights();
+  return openpbr_transmitted(cosines.x, s) * weights.x + openpbr_transmitted(cosines.y, s) * weights.y +
+         openpbr_transmitted(cosines.z, s) * weights.z;
 }
 
 // Returns the albedo of the coat's facets.

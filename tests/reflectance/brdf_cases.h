@@ -82,6 +82,7 @@ inline const std::vector<std::string>& plain_cases() {
       "gltf baseColor=(0.9, 0.5, 0.2) metallic=0.6 roughness=0.7 anisotropy=0.5 rotation=0.4",
       "gltf roughness=1 sheenColor=(0.2, 0.5, 0.9) clearcoat=1 clearcoatRoughness=0.5",
       "gltf roughness=0.2 ior=1.8 specular=0.7 specularColor=(0.5, 1, 2)",
+      "gltf baseColor=(0.7, 0.5, 0.3) metallic=0.4 roughness=0.4 iridescence=0.8 filmThickness=300",
       "openpbr baseColor=(0.8, 0.25, 0.1) roughness=0.35 diffuseRough=0.6 coatWeight=0.6 coatRoughness=0.3 "
       "coatColor=(0.9, 0.7, 0.5)",
       "openpbr baseColor=(0.9, 0.5, 0.2) metalness=0.6 specularColor=(0.8, 0.9, 1) roughness=0.7 "
@@ -176,6 +177,7 @@ inline const std::vector<std::string>& hard_cases() {
       "gltf roughness=0 metallic=1 anisotropy=1 clearcoat=1",
       "gltf roughness=0 ior=1 sheenColor=1 sheenRoughness=0.01",
       "gltf roughness=1 ior=10 specularColor=25",
+      "gltf roughness=0 metallic=0.5 iridescence=1 iridescenceIor=3 filmThickness=1000",
       "openpbr metalness=1 baseColor=1 roughness=0 anisotropy=1 coatWeight=1",
       "openpbr roughness=0 ior=1 fuzzWeight=1 fuzzRoughness=0.01",
       "openpbr roughness=1 ior=10 specularWeight=25 coatWeight=0.5 coatIor=3 coatColor=0",

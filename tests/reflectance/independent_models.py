@@ -236,34 +236,74 @@ def white_facets(u, v, ax, ay, rotation):
                           of_all_channels={'F0': (1,)}), u, v)
 
 
+def gltf_normals(p):
+    return [min(1, ((p.ior - 1) / (p.ior + 1)) ** 2 * colour) * p.specular for colour in p.of_all_channels['specularColor']]
+
+
+@functools.lru_cache(maxsize=None)
+def gltf_films(p):
+    """By metal and channel, the film over a dielectric of the same reflectance at normal incidence."""
+    def film(normal, colour):
+        root = min(0.9995, sqrt(normal))
+        return Parameters(film=p.iridescenceIor, thickness=p.filmThickness, nreal=(1 + root) / (1 - root), nimag=0, channel=colour)
+    films = {(True, colour): film(base, colour) for colour, base in zip(COLOURS, p.of_all_channels['baseColor'])}
+    if p.specular > 0:
+        films.update({(False, colour): film(normal / p.specular, colour) for colour, normal in zip(COLOURS, gltf_normals(p))})
+    return films
+
+
 def gltf(p, u, v):
     across = max(1e-4, p.roughness ** 2)
     along = across + (1 - across) * p.anisotropy ** 2
     alpha = sqrt((along ** 2 + across ** 2) / 2)
     least = alpha ** 2 / sum(a * alpha ** i for i, a in enumerate(MEAN_MISSING))
 
-    def schlick(normal, grazing):
-        return normal + (grazing - normal) * (1 - cos(angles_of_half(u, v)[2])) ** 5
+    def schlick(normal, grazing, angle):
+        return normal + (grazing - normal) * (1 - cos(angle)) ** 5
 
-    def leaves(normal, grazing):
+    def filmed(normal, grazing, angle, metal=False, colour=p.channel):
+        bare = schlick(normal, grazing, angle)
+        if p.iridescence == 0 or grazing == 0:
+            return bare
+        return interpolated(bare, grazing * film_reflectance(gltf_films(p)[metal, colour], angle), p.iridescence)
+
+    def mean_of(normal, grazing, metal=False, colour=p.channel):
         mean = normal + (grazing - normal) / 21
+        if p.iridescence == 0 or grazing == 0:
+            return mean
+        film = gltf_films(p)[metal, colour]
+        covered = sum(film_reflectance(film, acos(sqrt(0.5 + side / sqrt(12)))) for side in (-1, 1)) / 2
+        return interpolated(mean, grazing * covered, p.iridescence)
+
+    def leaves(mean):
         return mean ** 2 * (1 - least) / (1 - mean * least)
 
     def facets(theta, a, normal, grazing, further):
         missing = ggx_missing(theta, a)
         return normal * (1 - missing) + (grazing - normal) * ggx_grazing(theta, a) + further * missing
 
-    normals = [min(1, ((p.ior - 1) / (p.ior + 1)) ** 2 * colour) * p.specular for colour in p.of_all_channels['specularColor']]
+    normals = gltf_normals(p)
     normal, largest = normals[COLOURS.index(p.channel)], max(normals)
-    further = leaves(largest, p.specular)
-    mean = (largest * (1 - least) + (p.specular - largest) / (21 * (1 + alpha * (2.603 + alpha * (14.151 - 0.653 * alpha)))) +
-            further * least)
-    m = p.metallic
-    value = ((1 - m) * schlick(normal, p.specular) + m * schlick(p.baseColor, 1)) * white_facets(u, v, along, across, p.rotation)
-    between = (1 - m) * leaves(normal, p.specular) + m * leaves(p.baseColor, 1)
+    further = leaves(max(mean_of(each, p.specular, colour=colour) for each, colour in zip(normals, COLOURS)))
+
+    def passed(theta):
+        if p.iridescence == 0:
+            return 1 - facets(theta, alpha, largest, p.specular, further)
+        missing, angle = ggx_missing(theta, alpha), fresnel_angle(theta, alpha)
+        reflected = max(filmed(each, p.specular, angle, colour=colour) for each, colour in zip(normals, COLOURS))
+        return max(0, 1 - reflected * (1 - missing) - further * missing)
+
+    if p.iridescence == 0:
+        mean_passed = 1 - (largest * (1 - least) + further * least + (p.specular - largest) /
+                           (21 * (1 + alpha * (2.603 + alpha * (14.151 - 0.653 * alpha)))))
+    else:
+        mean_passed = 2 * sum(weight * passed(acos(place)) for place, weight in THREE_PLACES)
+    m, beta = p.metallic, angles_of_half(u, v)[2]
+    value = ((1 - m) * filmed(normal, p.specular, beta) + m * filmed(p.baseColor, 1, beta, True)) * white_facets(
+        u, v, along, across, p.rotation)
+    between = (1 - m) * leaves(mean_of(normal, p.specular)) + m * leaves(mean_of(p.baseColor, 1, True))
     value += between * ggx_missing(u.theta, alpha) * ggx_missing(v.theta, alpha) / (pi * least)
-    value += ((1 - m) * p.baseColor / pi / (1 - mean) * (1 - facets(u.theta, alpha, largest, p.specular, further)) *
-              (1 - facets(v.theta, alpha, largest, p.specular, further)))
+    value += (1 - m) * p.baseColor / pi / mean_passed * passed(u.theta) * passed(v.theta)
     strongest = max(p.of_all_channels['sheenColor'])
     if strongest > 0:
         value *= 1 - strongest * max(sheen_albedo(cos(w.theta), p.sheenRoughness) for w in (u, v))
@@ -271,7 +311,7 @@ def gltf(p, u, v):
     if p.clearcoat > 0:
         coat = max(1e-4, p.coatRoughness ** 2)
         value *= 1 - p.clearcoat * max(facets(w.theta, coat, 0.04, 1, 0) for w in (u, v))
-        value += p.clearcoat * schlick(0.04, 1) * white_facets(u, v, coat, coat, 0)
+        value += p.clearcoat * schlick(0.04, 1, beta) * white_facets(u, v, coat, coat, 0)
     return value
 
 
@@ -606,12 +646,12 @@ DEFAULTS = {
                'coatDarkening=1 fuzzWeight=0 fuzzColor=1 fuzzRoughness=0.5 filmWeight=0 filmThickness=0.5 filmIor=1.4',
     'sheen': 'rough=0.3 ks=1',
     'gltf': 'baseColor=1 metallic=0 roughness=0.5 ior=1.5 specular=1 specularColor=1 anisotropy=0 rotation=0 clearcoat=0 '
-            'coatRoughness=0 sheenColor=0 sheenRoughness=0.3',
+            'coatRoughness=0 sheenColor=0 sheenRoughness=0.3 iridescence=0 iridescenceIor=1.3 filmThickness=400',
     'thinfilm': 'alpha=0.1 ay=@alpha thickness=300 film=1.33 nreal=1.5 nimag=0 ks=1',
     'ggx': 'alpha=0.3 ay=@alpha anisotropy=0 rotation=0 nreal=1.5 nimag=0 F0=0 F82=1 ks=1 scattering=reciprocal',
 }
 ALIASES = {'torrance': {'m': 'rough'}, 'ashikhmin': {'nu': 'ex', 'nv': 'ey', 'ks': 'Rs', 'kd': 'Rd'}, 'coupled': {'Ro': 'R0'},
-           'ggx': {'ax': 'alpha', 'ior': 'nreal'}, 'gltf': {'clearcoatRoughness': 'coatRoughness'}}
+           'ggx': {'ax': 'alpha', 'ior': 'nreal'}, 'gltf': {'clearcoatRoughness': 'coatRoughness', 'iridescenceThicknessMaximum': 'filmThickness'}}
 
 
 def to_float(text):
@@ -662,7 +702,7 @@ class Instance:
             channel['channel'], channel['of_all_channels'] = colour, split
             self.channels.append(channel)
         coloured = any(isinstance(value, tuple) for value in values.values())
-        self.is_grey = not coloured and self.keyword not in ('granier', 'openpbr', 'thinfilm')
+        self.is_grey = not coloured and self.keyword not in ('gltf', 'granier', 'openpbr', 'thinfilm')
 
     def by_channel(self, function):
         if self.is_grey:

@@ -79,6 +79,8 @@ CHOSEN = [
     ('gltf baseColor=0.6 roughness=0.45 ior=1.8 specular=0.7 specularColor=(0.5,1,2)', [(40, 30)]),
     ('gltf baseColor=(0.9,0.5,0.2) roughness=0.6 clearcoat=0.7 clearcoatRoughness=0.5 sheenColor=(0.2,0.5,0.9) sheenRoughness=0.4',
      [(50, 0)]),
+    ('gltf baseColor=(0.7,0.5,0.3) metallic=0.4 roughness=0.6 specular=0.8 iridescence=0.7 iridescenceIor=1.5 filmThickness=250',
+     [(30, 0)]),
     ('openpbr baseWeight=0.9 baseColor=(0.9,0.5,0.2) metalness=0.6 specularWeight=0.8 specularColor=(0.7,0.9,1) roughness=0.7 '
      'anisotropy=0.5 rotation=0.4 ior=1.7', [(25, 10), (65, 100)]),
     ('openpbr baseColor=(0.9,0.5,0.2) diffuseRough=0.6 roughness=0.5 specularWeight=1.4 coatWeight=0.7 '
