@@ -56,6 +56,7 @@ constexpr std::array<Parameter, 15> Parameters = {{
     {.name = "iridescenceIor", .member = &GltfBrdf::iridescence_ior, .least = 1, .most = 3},
     {.name = "filmThickness",
      .member = &GltfBrdf::film_thickness,
+     .least = 10,
      .most = 1000,
      .alias = "iridescenceThicknessMaximum"},
 }};

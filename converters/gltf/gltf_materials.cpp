@@ -112,7 +112,8 @@ constexpr std::array<MaterialRule, 21> GltfRules = {{
      "\"sheenRoughnessFactor\": 0.75}}",
      "gltf metallic=1 roughness=1 sheenColor=(0.5, 0.25, 0) sheenRoughness=0.75", ""},
     {"`KHR_materials_iridescence`",
-     "`iridescence`, `iridescenceIor` to 3, and `filmThickness`, which is the largest one, to 1000 nm",
+     "`iridescence`, `iridescenceIor` to 3, and `filmThickness`, which is the largest one, from 10 to 1000 "
+     "nm",
      "\"extensions\": {\"KHR_materials_iridescence\": {\"iridescenceFactor\": 0.5, \"iridescenceIor\": "
      "1.5, \"iridescenceThicknessMaximum\": 250}}",
      "gltf metallic=1 roughness=1 iridescence=0.5 iridescenceIor=1.5 filmThickness=250", ""},

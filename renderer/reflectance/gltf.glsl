@@ -9,9 +9,10 @@ vec3 gltf_schlick(vec3 normal, vec3 grazing, real c) { return normal + (grazing 
 vec3 gltf_mean_schlick(vec3 normal, vec3 grazing) { return normal + (grazing - normal) / real(21); }
 
 // Returns the index of refraction of a dielectric with this reflectance at normal incidence, which is what
-// KHR_materials_iridescence makes of a metal, too.
+// KHR_materials_iridescence makes of a metal, too. Float has too few digits for films on
+// air and on perfect mirrors.
 real gltf_index(real normal) {
-  real root = min(real(0.9995f), sqrt(normal));
+  real root = min(real(0.995f), max(real(0.01f), sqrt(normal)));
   return (1 + root) / (1 - root);
 }
 vec3 gltf_indices(vec3 normal) { return vec3(gltf_index(normal.x), gltf_index(normal.y), gltf_index(normal.z)); }

@@ -69,7 +69,7 @@ struct Gltf {
              number_parameter(&Gltf::iridescence, "iridescence", 0, 1, "strength of a thin film"),
              number_parameter(&Gltf::iridescence_ior, "iridescenceIor", 1, 3,
                               "index of refraction of the film"),
-             in_unit("nm", number_parameter(&Gltf::film_thickness, "filmThickness", 0, 1000,
+             in_unit("nm", number_parameter(&Gltf::film_thickness, "filmThickness", 10, 1000,
                                             "thickness of the film", grf::ParameterScale::Linear,
                                             {"iridescenceThicknessMaximum"}))},
         .not_isotropic = "isotropic if anisotropy = 0",

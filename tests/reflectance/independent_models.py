@@ -244,7 +244,7 @@ def gltf_normals(p):
 def gltf_films(p):
     """By metal and channel, the film over a dielectric of the same reflectance at normal incidence."""
     def film(normal, colour):
-        root = min(0.9995, sqrt(normal))
+        root = min(0.995, max(0.01, sqrt(normal)))
         return Parameters(film=p.iridescenceIor, thickness=p.filmThickness, nreal=(1 + root) / (1 - root), nimag=0, channel=colour)
     films = {(True, colour): film(base, colour) for colour, base in zip(COLOURS, p.of_all_channels['baseColor'])}
     if p.specular > 0:
