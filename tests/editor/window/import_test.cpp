@@ -255,7 +255,7 @@ TEST_F(Importing, TellsTheLossesOfAnExportBeforeItIsWritten) {
         << summary.text().toStdString();
     auto& format = test::named<QComboBox>(dialog, "Format");
     format.setFocus();
-    QTest::keyClick(&format, Qt::Key_Down);
+    QTest::keyClicks(&format, "Stereo");
     auto& file = test::named<QLineEdit>(dialog, "File");
     EXPECT_EQ(file.text(), path("scene.stl"));
     EXPECT_TRUE(QTest::qWaitFor([&] { return summary.text() == "This will be lost:"; }, Minute));
