@@ -61,9 +61,95 @@ vec3 film_wave(real phase, FilmSides s, FilmSides p) {
   return (film_reflected(s, cosine, sine) + film_reflected(p, cosine, sine)) * real(0.5f);
 }
 
+// Returns the weight of a wavelength, of 28, in linear sRGB: numbers from scripts/sum_film_waves.
+vec3 film_colour(int i) {
+  if (i < 14) {
+    if (i < 7) {
+      if (i < 3) {
+        if (i < 1) {
+          return vec3(0.0001216f, 0.0002040f, -0.0000300f);
+        }
+        if (i < 2) {
+          return vec3(0.0026644f, 0.0005895f, -0.0001490f);
+        }
+        return vec3(0.0198602f, -0.0006338f, -0.0004507f);
+      }
+      if (i < 5) {
+        if (i < 4) {
+          return vec3(0.0781874f, -0.0083939f, -0.0010002f);
+        }
+        return vec3(0.1868877f, -0.0216098f, -0.0021877f);
+      }
+      if (i < 6) {
+        return vec3(0.2933773f, -0.0214271f, -0.0050738f);
+      }
+      return vec3(0.3162984f, 0.0143935f, -0.0103868f);
+    }
+    if (i < 10) {
+      if (i < 8) {
+        return vec3(0.2436705f, 0.0786882f, -0.0168451f);
+      }
+      if (i < 9) {
+        return vec3(0.1362446f, 0.1397412f, -0.0218393f);
+      }
+      return vec3(0.0345288f, 0.1803871f, -0.0239623f);
+    }
+    if (i < 12) {
+      if (i < 11) {
+        return vec3(-0.0394440f, 0.1957460f, -0.0226049f);
+      }
+      return vec3(-0.0793605f, 0.1856224f, -0.0169283f);
+    }
+    if (i < 13) {
+      return vec3(-0.0843139f, 0.1469716f, -0.0052734f);
+    }
+    return vec3(-0.0675522f, 0.0956698f, 0.0118991f);
+  }
+  if (i < 21) {
+    if (i < 17) {
+      if (i < 15) {
+        return vec3(-0.0484770f, 0.0569802f, 0.0337116f);
+      }
+      if (i < 16) {
+        return vec3(-0.0308699f, 0.0306044f, 0.0658041f);
+      }
+      return vec3(-0.0176870f, 0.0113343f, 0.1132019f);
+    }
+    if (i < 19) {
+      if (i < 18) {
+        return vec3(-0.0073340f, -0.0030873f, 0.1595080f);
+      }
+      return vec3(0.0056279f, -0.0134525f, 0.1769429f);
+    }
+    if (i < 20) {
+      return vec3(0.0153088f, -0.0192221f, 0.1746545f);
+    }
+    return vec3(0.0171319f, -0.0199934f, 0.1608532f);
+  }
+  if (i < 24) {
+    if (i < 22) {
+      return vec3(0.0111844f, -0.0148520f, 0.1220536f);
+    }
+    if (i < 23) {
+      return vec3(0.0080362f, -0.0086234f, 0.0647031f);
+    }
+    return vec3(0.0046418f, -0.0039446f, 0.0265326f);
+  }
+  if (i < 26) {
+    if (i < 25) {
+      return vec3(0.0016347f, -0.0013811f, 0.0100362f);
+    }
+    return vec3(0.0001258f, -0.0003318f, 0.0041143f);
+  }
+  if (i < 27) {
+    return vec3(-0.0002627f, -0.0000178f, 0.0018566f);
+  }
+  return vec3(-0.0002312f, 0.0000387f, 0.0008600f);
+}
+
 // Returns the reflectance for light at the angle of this cosine and squared sine, of a film this many
-// nanometres thick. Wavelengths are weighted as in linear sRGB, with numbers from scripts/sum_film_waves;
-// colours beyond it are clamped.
+// nanometres thick. Colours beyond linear sRGB are clamped. A loop, as drivers inline each call: written out, the
+// sum took them minutes to compile.
 vec3 film_reflectance(real c, real s2, real thickness, real film, vec3 n, vec3 k) {
   real normal = sqrt((film - 1) * (film + 1) + c * c);
   FilmSides s = film_sides(c, s2, normal, film, n, k, false);
@@ -72,34 +158,7 @@ vec3 film_reflectance(real c, real s2, real thickness, real film, vec3 n, vec3 k
   real first = path / 720;
   real apart = path * (real(1) / 385 - real(1) / 720) / 27;
   vec3 sum = vec3(0);
-  sum = sum + vec3(0.0001216f, 0.0002040f, -0.0000300f) * film_wave(first + apart * 0, s, p);
-  sum = sum + vec3(0.0026644f, 0.0005895f, -0.0001490f) * film_wave(first + apart * 1, s, p);
-  sum = sum + vec3(0.0198602f, -0.0006338f, -0.0004507f) * film_wave(first + apart * 2, s, p);
-  sum = sum + vec3(0.0781874f, -0.0083939f, -0.0010002f) * film_wave(first + apart * 3, s, p);
-  sum = sum + vec3(0.1868877f, -0.0216098f, -0.0021877f) * film_wave(first + apart * 4, s, p);
-  sum = sum + vec3(0.2933773f, -0.0214271f, -0.0050738f) * film_wave(first + apart * 5, s, p);
-  sum = sum + vec3(0.3162984f, 0.0143935f, -0.0103868f) * film_wave(first + apart * 6, s, p);
-  sum = sum + vec3(0.2436705f, 0.0786882f, -0.0168451f) * film_wave(first + apart * 7, s, p);
-  sum = sum + vec3(0.1362446f, 0.1397412f, -0.0218393f) * film_wave(first + apart * 8, s, p);
-  sum = sum + vec3(0.0345288f, 0.1803871f, -0.0239623f) * film_wave(first + apart * 9, s, p);
-  sum = sum + vec3(-0.0394440f, 0.1957460f, -0.0226049f) * film_wave(first + apart * 10, s, p);
-  sum = sum + vec3(-0.0793605f, 0.1856224f, -0.0169283f) * film_wave(first + apart * 11, s, p);
-  sum = sum + vec3(-0.0843139f, 0.1469716f, -0.0052734f) * film_wave(first + apart * 12, s, p);
-  sum = sum + vec3(-0.0675522f, 0.0956698f, 0.0118991f) * film_wave(first + apart * 13, s, p);
-  sum = sum + vec3(-0.0484770f, 0.0569802f, 0.0337116f) * film_wave(first + apart * 14, s, p);
-  sum = sum + vec3(-0.0308699f, 0.0306044f, 0.0658041f) * film_wave(first + apart * 15, s, p);
-  sum = sum + vec3(-0.0176870f, 0.0113343f, 0.1132019f) * film_wave(first + apart * 16, s, p);
-  sum = sum + vec3(-0.0073340f, -0.0030873f, 0.1595080f) * film_wave(first + apart * 17, s, p);
-  sum = sum + vec3(0.0056279f, -0.0134525f, 0.1769429f) * film_wave(first + apart * 18, s, p);
-  sum = sum + vec3(0.0153088f, -0.0192221f, 0.1746545f) * film_wave(first + apart * 19, s, p);
-  sum = sum + vec3(0.0171319f, -0.0199934f, 0.1608532f) * film_wave(first + apart * 20, s, p);
-  sum = sum + vec3(0.0111844f, -0.0148520f, 0.1220536f) * film_wave(first + apart * 21, s, p);
-  sum = sum + vec3(0.0080362f, -0.0086234f, 0.0647031f) * film_wave(first + apart * 22, s, p);
-  sum = sum + vec3(0.0046418f, -0.0039446f, 0.0265326f) * film_wave(first + apart * 23, s, p);
-  sum = sum + vec3(0.0016347f, -0.0013811f, 0.0100362f) * film_wave(first + apart * 24, s, p);
-  sum = sum + vec3(0.0001258f, -0.0003318f, 0.0041143f) * film_wave(first + apart * 25, s, p);
-  sum = sum + vec3(-0.0002627f, -0.0000178f, 0.0018566f) * film_wave(first + apart * 26, s, p);
-  sum = sum + vec3(-0.0002312f, 0.0000387f, 0.0008600f) * film_wave(first + apart * 27, s, p);
+  for (int i = 0; i < 28; ++i) sum = sum + film_colour(i) * film_wave(first + apart * real(i), s, p);
   return min(max(sum, real(0)), real(1));
 }
 
