@@ -19,8 +19,7 @@ constexpr std::size_t MostParameters = 224;
 /// The files shared by formulas, in order of dependency.
 constexpr std::array SharedFiles = {"glsl_functions", "float_functions", "common",    "fresnel",
                                     "beckmann",       "refraction",      "kirchhoff", "microfacets",
-                                    "facet_fresnel",  "film_fresnel",    "fibres",    "rough_diffuse",
-                                    "layering",       "transmission"};
+                                    "fibres",         "transmission"};
 
 constexpr std::string_view TransmissionText = R"(
 vec3 transmission(float c, int first) {
