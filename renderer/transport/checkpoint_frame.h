@@ -73,6 +73,7 @@ std::string_view bytes_of(const T& value) {
 /// Moves values from the front of bytes that are known to be long enough.
 template <class T>
 void take(std::string_view& bytes, T* values, std::size_t count) {
+  if (count == 0) return;  // an empty vector has no address, which memcpy asks for
   std::memcpy(static_cast<void*>(values), bytes.data(), count * sizeof(T));
   bytes.remove_prefix(count * sizeof(T));
 }
