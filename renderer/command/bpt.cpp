@@ -1,14 +1,10 @@
 // bpt: the path tracer's command line.
-#include <algorithm>
-#include <array>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <limits>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -18,13 +14,13 @@
 #include "renderer/command/brdf_command.h"
 #include "renderer/command/compare_command.h"
 #include "renderer/command/cost_command.h"
+#include "renderer/command/decode_command.h"
 #include "renderer/command/merge_command.h"
 #include "renderer/command/noise_command.h"
 #include "renderer/command/pack_command.h"
 #include "renderer/command/plan_command.h"
 #include "renderer/command/render_command.h"
 #include "renderer/command/sky_command.h"
-#include "renderer/image/encoders.h"
 #include "renderer/options/render_options.h"
 
 namespace {
@@ -312,12 +308,7 @@ void add_compare(CLI::App& app, command::CompareArguments& arguments) {
   compare->add_flag("--json", arguments.json, "print one JSON object");
 }
 
-struct DecodeArguments {
-  std::string image;
-  bool has_layers = false;
-};
-
-void add_decode(CLI::App& app, DecodeArguments& arguments) {
+void add_decode(CLI::App& app, command::DecodeArguments& arguments) {
   CLI::App* decode =
       app.add_subcommand("decode", "Decode an image and write it to standard output as a raw file");
   decode->add_option("IMAGE", arguments.image, "the image: exr, hdr, pfm, raw, png, jpg, tga or webp")
@@ -326,23 +317,6 @@ void add_decode(CLI::App& app, DecodeArguments& arguments) {
       "--layers", arguments.has_layers,
       "append the layers of an exr: for each, the lengths of its name and of its channels' letters "
       "as little-endian uint32, the name, the letters, and the values pixel by pixel");
-}
-
-bool write_out(const void* bytes, std::size_t count) { return std::fwrite(bytes, 1, count, stdout) == count; }
-
-bool write_out(const image::ImageLayer& layer) {
-  const std::array lengths = {static_cast<std::uint32_t>(layer.name.size()),
-                              static_cast<std::uint32_t>(layer.channels.size())};
-  return write_out(lengths.data(), sizeof(lengths)) && write_out(layer.name.data(), layer.name.size()) &&
-         write_out(layer.channels.data(), layer.channels.size()) &&
-         write_out(layer.values.data(), layer.values.size() * sizeof(float));
-}
-
-bool write_out(const image::ImageFile& file) {
-  const std::string bytes = image::encode_raw({file.image});
-  return write_out(bytes.data(), bytes.size()) &&
-         std::ranges::all_of(file.layers, [](const auto& layer) { return write_out(layer); }) &&
-         std::fflush(stdout) == 0;
 }
 
 void add_sky(CLI::App& app, command::SkyArguments& arguments) {
@@ -373,28 +347,6 @@ void add_sky(CLI::App& app, command::SkyArguments& arguments) {
       ->type_name("FILE.exr")
       ->required();
   sky->add_flag("--json", arguments.json, "print one JSON object");
-}
-
-/// Decodes an image for programs that leave untrusted images to a separate process. Errors do not name the
-/// file.
-ExitCode decode(const DecodeArguments& arguments) {
-  const auto fail = [](const std::string& why) {
-    fmt::print(stderr, "{}\n", why);
-    return ExitCode::BadInput;
-  };
-  try {
-    grf::Diagnostics diagnostics;
-    std::optional<image::ImageFile> file;
-    if (arguments.has_layers) {
-      file = image::read_image_file(arguments.image, diagnostics);
-    } else if (auto image = image::read_image(arguments.image, diagnostics)) {
-      file = image::ImageFile{std::move(*image)};
-    }
-    if (!file) return fail(diagnostics.entries().front().message);
-    return write_out(*file) ? ExitCode::Done : fail("cannot write the image to standard output");
-  } catch (const std::bad_alloc&) {
-    return fail("cannot read the image: out of memory");
-  }
 }
 
 /// A cost study takes the render options that are neither swept nor control termination and output.
@@ -476,7 +428,7 @@ ExitCode run(int argc, char** argv) {
   add_brdf(app, brdf_arguments);
   command::CompareArguments compare_arguments;
   add_compare(app, compare_arguments);
-  DecodeArguments decode_arguments;
+  command::DecodeArguments decode_arguments;
   add_decode(app, decode_arguments);
   command::CostArguments cost_arguments;
   add_cost(app, cost_arguments);
@@ -490,7 +442,7 @@ ExitCode run(int argc, char** argv) {
   }
   if (app.got_subcommand("brdf")) return run_brdf(*app.get_subcommand("brdf"), brdf_arguments);
   if (app.got_subcommand("compare")) return command::compare(compare_arguments);
-  if (app.got_subcommand("decode")) return decode(decode_arguments);
+  if (app.got_subcommand("decode")) return command::decode(decode_arguments);
   if (app.got_subcommand("cost")) return command::cost(cost_arguments);
   if (app.got_subcommand("noise")) return command::noise(noise_arguments);
   if (app.got_subcommand("sky")) return command::sky(sky_arguments);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "grf/exit_code.h"
+
+namespace command {
+
+/// The command line of `bpt decode`.
+struct DecodeArguments {
+  std::string image;
+  bool has_layers = false;
+};
+
+/// Decodes an image for programs that leave untrusted images to a separate process. Errors do not name the
+/// file.
+grf::ExitCode decode(const DecodeArguments& arguments);
+
+}  // namespace command
