@@ -1,13 +1,10 @@
 #include "converters/command/convert.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,6 +16,7 @@
 #include "converters/scene_building.h"
 #include "converters/wording.h"
 #include "grf/relocate.h"
+#include "grf/short_lived_folder.h"
 #include "grf/text_file.h"
 #include "grf/visit.h"
 #include "renderer/image/image.h"
@@ -99,27 +97,6 @@ std::optional<WrittenFiles> write_all(grf::Scene& scene, const std::vector<Embed
   return is_written ? std::optional(WrittenFiles()) : std::nullopt;
 }
 
-/// A temporary folder, removed by the destructor.
-class ShortLivedFolder {
- public:
-  ShortLivedFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "grfconvert_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::system_error(errno, std::generic_category(), name);
-    path_ = name;
-  }
-  ~ShortLivedFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ShortLivedFolder(const ShortLivedFolder&) = delete;
-  ShortLivedFolder& operator=(const ShortLivedFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 /// Copies the diagnostics of one file to another file.
 void say_of(const std::string& path, const grf::Diagnostics& said, grf::Diagnostics& diagnostics) {
   const grf::SourceLocation location = grf::whole_file(path);
@@ -140,7 +117,7 @@ void say_of(const std::string& path, const grf::Diagnostics& said, grf::Diagnost
 /// Writes to a temporary folder, for a dry run, to get the diagnostics of writing.
 std::optional<WrittenFiles> try_to_write_all(grf::Scene& scene, const std::vector<EmbeddedFile>& embedded,
                                              const ConvertOptions& options, grf::Diagnostics& diagnostics) {
-  const ShortLivedFolder folder;
+  const grf::ShortLivedFolder folder("grfconvert");
   ConvertOptions elsewhere = options;
   elsewhere.output_format = output_format(options);
   elsewhere.output = (folder.path() / std::filesystem::path(options.output).filename()).string();

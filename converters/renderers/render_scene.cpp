@@ -12,8 +12,6 @@
 namespace convert {
 namespace {
 
-bool is_black(const grf::Colour& colour) { return colour == grf::Colour(0); }
-
 /// Collects the shapes of a scene as it is visited.
 class RenderSceneBuilder {
  public:
@@ -105,7 +103,7 @@ std::vector<RenderShape> RenderSceneBuilder::shapes_of(const grf::Mesh& mesh,
     shape.surface = static_cast<std::uint32_t>(i);
     shape.to_world = placement.to_world;
     shape.material = material_of(surface, shape, faces[i]);
-    if (surface.emission && !is_black(*surface.emission)) shape.emission = surface.emission;
+    if (surface.emission && !reflectance::is_black(*surface.emission)) shape.emission = surface.emission;
     if (shape.emission && !mesh.geometry->normals.empty()) scene_.losses.add(Loss::EmitterNormal, faces[i]);
     if (surface.pdf != nullptr) scene_.losses.add(Loss::SamplingScheme, faces[i]);
     shapes.push_back(std::move(shape));
@@ -147,7 +145,7 @@ void RenderSceneBuilder::add_light(const grf::Mesh& mesh, const grf::Placement& 
     shape.surface = static_cast<std::uint32_t>(i);
     shape.to_world = placement.to_world;
     shape.material = material_of(surface, shape, 1);
-    if (!is_black(*surface.emission)) shape.emission = surface.emission;
+    if (!reflectance::is_black(*surface.emission)) shape.emission = surface.emission;
     scene_.shapes.push_back(std::move(shape));
   }
 }

@@ -9,7 +9,7 @@
 
 namespace convert {
 
-/// What a renderer needs of the geometry of a shape besides its triangles.
+/// The vertex attributes that a renderer needs of a shape.
 struct GeometryNeeds {
   bool normals = true;  ///< those of vertices, where the shape has any
   bool uvs = false;     ///< those of the mesh, 0 where it has none

@@ -18,8 +18,6 @@ namespace {
 using reflectance::Rgb;
 using Base = WrittenMaterial::Base;
 
-float largest(const grf::Colour& colour) { return std::max({colour.x, colour.y, colour.z}); }
-
 bool is_grey(const grf::Colour& colour) { return colour.x == colour.y && colour.x == colour.z; }
 
 /// A view direction at this cosine of the angle from the normal.
@@ -129,7 +127,7 @@ std::optional<WrittenMaterial> MaterialWriter::write() {
   written_.mirror = mirror.reflectance;
   if (!reflectance::has_nonspecular_part(material_.brdf) || mirror.share >= 1) return written_;
   const auto* diffuse = std::get_if<reflectance::Diffuse>(&material_.brdf);
-  if (diffuse != nullptr && largest(diffuse->kd * colour_) <= 1) {
+  if (diffuse != nullptr && reflectance::largest(diffuse->kd * colour_) <= 1) {
     return write_diffuse(diffuse->kd * colour_) ? std::optional(written_) : std::nullopt;
   }
   if (const auto facets = conductor_of(material_.brdf, colour_); facets && target_.has_ggx_conductor) {
@@ -158,7 +156,7 @@ MirrorPart mirror_of(const reflectance::Brdf& brdf, const grf::Colour& colour) {
   const Rgb mean = colour * (mirror.varies ? Rgb(sum / Count) : at_normal);
   // Something has to be left for the base, where there is one.
   const float most = reflectance::has_nonspecular_part(brdf) ? 0.95F : 1.0F;
-  const float share = std::min(most, largest(mean));
+  const float share = std::min(most, reflectance::largest(mean));
   if (!(share > 0)) return mirror;
   mirror.share = double(share);
   for (int k = 0; k < 3; ++k) mirror.reflectance[k] = std::min(1.0F, mean[k] / share);

@@ -35,7 +35,7 @@ struct WrittenMaterial {
   grf::Colour mirror = grf::Colour(0);  ///< the reflectance of the mirror, 0 to 1
 };
 
-/// What a renderer has and reads.
+/// The materials that a renderer has, and the tables that it reads.
 struct MaterialTarget {
   reflectance::RglColours colours = reflectance::RglColours::LinearSrgb;  ///< of tables
   bool has_ggx_conductor = false;  ///< with height-correlated shadowing, as that of `ggx`

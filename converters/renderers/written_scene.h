@@ -36,7 +36,7 @@ struct WrittenScene {
   std::vector<RenderInstance> instances;
 };
 
-/// What a renderer has and reads.
+/// A renderer that scenes are written for: what it has and reads.
 struct RenderTarget {
   std::string suffix;  ///< of the folder's name
   MaterialTarget material;

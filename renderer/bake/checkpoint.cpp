@@ -30,10 +30,6 @@ static_assert(std::is_trivially_copyable_v<BakeHeader> && sizeof(BakeHeader) == 
               "the file has no gaps of unknown content");
 static_assert(std::is_trivially_copyable_v<BakeTally> && sizeof(BakeTally) == 40);
 
-std::string_view bytes_of(const std::vector<transport::ExactRgbSum>& sums) {
-  return {reinterpret_cast<const char*>(sums.data()), sums.size() * sizeof(sums[0])};
-}
-
 std::size_t bytes_per_vertex(const Bake& bake) {
   return sizeof(BakeTally) + bake.sums_per_vertex() * sizeof(transport::ExactRgbSum);
 }
@@ -70,7 +66,7 @@ bool write_checkpoint(const std::string& path, const Fingerprint& fingerprint, c
     std::vector<transport::ExactRgbSum> sums;
     for (std::size_t i = 0; i < bake.vertex_count(); ++i) {
       bake.copy_vertex(i, tally, sums);
-      if (!write(transport::bytes_of(tally)) || !write(bytes_of(sums))) return false;
+      if (!write(transport::bytes_of(tally)) || !write(transport::bytes_of_all(sums))) return false;
     }
     return write(transport::bytes_of(End{bake.stage(), bake.totals()}));
   };

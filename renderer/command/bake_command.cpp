@@ -14,6 +14,7 @@
 #include "grf/write.h"
 #include "renderer/bake/baked_scene.h"
 #include "renderer/command/json_values.h"
+#include "renderer/command/printed.h"
 #include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_run.h"
@@ -27,8 +28,6 @@ using grf::counted;
 using grf::Diagnostics;
 using grf::ExitCode;
 using options::RenderOptions;
-
-void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
 
 /// Checks before a bake, as far as possible, that its result can be written.
 bool can_write(const std::string& output, const RenderOptions& render_options, Diagnostics& diagnostics) {

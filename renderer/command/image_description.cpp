@@ -42,8 +42,6 @@ ImageAttribute attribute_of(const json& object) {
   return attribute;
 }
 
-std::size_t channels_of(const ImageLayer& layer) { return std::max<std::size_t>(1, layer.channels.size()); }
-
 }  // namespace
 
 // A line of JSON, which ends by a line feed, and the values of the features.
@@ -81,7 +79,7 @@ std::optional<ImageDescription> image_description_of(std::string_view bytes, std
     description.attributes.push_back(attribute_of(attribute));
   for (const json& feature : object.at("features")) {
     ImageLayer layer{feature.at("name"), feature.at("channels"), {}};
-    const std::size_t count = channels_of(layer) * pixels;
+    const std::size_t count = layer.channel_count() * pixels;
     if (bytes.size() / sizeof(float) < count) return std::nullopt;
     layer.values.resize(count);
     std::memcpy(layer.values.data(), bytes.data(), count * sizeof(float));

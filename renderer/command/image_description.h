@@ -10,7 +10,7 @@
 
 namespace command {
 
-/// What an image file has besides what its samples say.
+/// The metadata and the layers of an image file that are known before its samples.
 struct ImageDescription {
   std::vector<image::ImageAttribute> attributes;
   std::vector<image::ImageLayer> features;  ///< albedo, normal and depth, as far as they are asked for

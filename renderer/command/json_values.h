@@ -1,16 +1,19 @@
 // Several commands print these JSON values.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "grf/math.h"
 #include "grf/write.h"
 #include "renderer/image/visible_difference.h"
+#include "renderer/transport/error_estimate.h"
 #include "renderer/transport/forecast.h"
 
 namespace command {
@@ -46,6 +49,25 @@ inline nlohmann::ordered_json json_of(const std::vector<transport::TargetForecas
                      {"samples_interval", interval(forecast.samples)}});
   }
   return array;
+}
+
+/// Adds the estimated error of an image and its 95 % interval to a summary; null if there is none.
+template <class Json>
+void add_estimate(const std::optional<transport::ErrorEstimate>& estimate, Json& summary) {
+  summary["estimated_error"] = nullptr;
+  summary["estimated_error_interval"] = nullptr;
+  if (!estimate) return;
+  summary["estimated_error"] = estimate->error;
+  summary["estimated_error_interval"] = {estimate->low, estimate->high};
+}
+
+/// Prints a line of what `add_estimate` added, if there is an error.
+template <class Json>
+void print_estimate(const Json& summary) {
+  if (summary.at("estimated_error").is_null()) return;
+  const auto [low, high] = summary.at("estimated_error_interval").template get<std::array<double, 2>>();
+  fmt::print("  estimated error {:.3g} %, with 95 % confidence {:.3g} to {:.3g} %\n",
+             100 * summary.at("estimated_error").template get<double>(), 100 * low, 100 * high);
 }
 
 /// Returns what is visible of a difference, and how it is seen.

@@ -12,6 +12,7 @@
 #include "renderer/command/image_description.h"
 #include "renderer/command/json_values.h"
 #include "renderer/command/part_arguments.h"
+#include "renderer/command/printed.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_progress.h"
 #include "renderer/transport/part_merge.h"
@@ -22,8 +23,6 @@ namespace {
 using grf::Diagnostics;
 using grf::ExitCode;
 using transport::PartMerge;
-
-void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
 
 std::optional<PartMerge> merged(const std::vector<std::string>& paths, Diagnostics& diagnostics) {
   PartMerge merge;
@@ -70,13 +69,8 @@ bool write_images(const PartMerge& merge, const MergeArguments& arguments, Diagn
                                     {"width", sum.width},
                                     {"height", sum.height},
                                     {"samples", double(sum.totals.paths) / sum.width / sum.height},
-                                    {"render_seconds", sum.totals.seconds},
-                                    {"estimated_error", nullptr},
-                                    {"estimated_error_interval", nullptr}};
-  if (estimate) {
-    summary["estimated_error"] = estimate->error;
-    summary["estimated_error_interval"] = {estimate->low, estimate->high};
-  }
+                                    {"render_seconds", sum.totals.seconds}};
+  add_estimate(estimate, summary);
   if (arguments.json) {
     fmt::print("{}\n", json_text(summary, false));
     return are_written;
@@ -84,10 +78,7 @@ bool write_images(const PartMerge& merge, const MergeArguments& arguments, Diagn
   fmt::print("{}: {}x{} pixels, {} per pixel, rendered in {} altogether\n", arguments.outputs.front(),
              sum.width, sum.height, samples_text(summary["samples"].get<double>()),
              duration_text(sum.totals.seconds));
-  if (estimate) {
-    fmt::print("  estimated error {:.3g} %, with 95 % confidence {:.3g} to {:.3g} %\n", 100 * estimate->error,
-               100 * estimate->low, 100 * estimate->high);
-  }
+  print_estimate(summary);
   return are_written;
 }
 

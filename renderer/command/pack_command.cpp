@@ -1,8 +1,8 @@
 #include "renderer/command/pack_command.h"
 
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -64,20 +64,12 @@ bool is_complete(const std::string& job_file, Diagnostics& diagnostics) {
 
 bool is_job_file(const std::string& path) { return path.ends_with(".grfjob"); }
 
-UnpackedJob::~UnpackedJob() {
-  std::error_code ignored;
-  if (!folder_.empty()) fs::remove_all(folder_, ignored);
-}
-
-std::optional<std::string> UnpackedJob::unpack(const std::string& path, Diagnostics& diagnostics) {
-  std::error_code error;
-  std::string name = (fs::temp_directory_path(error) / "grfjob.XXXXXX").string();
-  if (error || ::mkdtemp(name.data()) == nullptr) {
-    diagnostics.error(grf::whole_file(path), "cannot make a temporary folder to unpack it");
-    return std::nullopt;
-  }
-  folder_ = name;
-  return job::unpack_job(path, folder_, diagnostics);
+std::optional<std::string> UnpackedJob::unpack(const std::string& path, Diagnostics& diagnostics) try {
+  folder_.emplace("grfjob");
+  return job::unpack_job(path, folder_->path().string(), diagnostics);
+} catch (const std::system_error&) {
+  diagnostics.error(grf::whole_file(path), "cannot make a temporary folder to unpack it");
+  return std::nullopt;
 }
 
 ExitCode pack(const PackArguments& arguments) {

@@ -5,6 +5,7 @@
 
 #include "grf/diagnostics.h"
 #include "grf/exit_code.h"
+#include "grf/short_lived_folder.h"
 #include "renderer/command/render_arguments.h"
 
 namespace command {
@@ -26,16 +27,11 @@ bool is_job_file(const std::string& path);
 /// A job file, unpacked into a temporary folder for as long as this lives.
 class UnpackedJob {
  public:
-  UnpackedJob() = default;
-  UnpackedJob(const UnpackedJob&) = delete;
-  UnpackedJob& operator=(const UnpackedJob&) = delete;
-  ~UnpackedJob();
-
   /// Unpacks a file and returns the path of its OP file; to be called once.
   std::optional<std::string> unpack(const std::string& path, grf::Diagnostics& diagnostics);
 
  private:
-  std::string folder_;
+  std::optional<grf::ShortLivedFolder> folder_;
 };
 
 }  // namespace command

@@ -8,12 +8,15 @@
 
 namespace command {
 
+/// Prints diagnostics to standard error.
+inline void print(const grf::Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
+
 /// Calls a function that takes diagnostics, prints these to standard error, and returns its result.
 template <class Read>
 auto printed(const Read& read) {
   grf::Diagnostics diagnostics;
   auto result = read(diagnostics);
-  fmt::print(stderr, "{}", diagnostics.to_text());
+  print(diagnostics);
   return result;
 }
 

@@ -1,7 +1,6 @@
 #include "renderer/command/render_command.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include "renderer/command/json_values.h"
 #include "renderer/command/pack_command.h"
 #include "renderer/command/plan_summary.h"
+#include "renderer/command/printed.h"
 #include "renderer/command/render_arguments.h"
 #include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_forecast.h"
@@ -73,12 +73,7 @@ nlohmann::json summary_of(const transport::Render& render,
   summary["render_seconds"] = seconds;
   summary["paths_per_second"] = static_cast<double>(render.path_count()) / seconds;
   summary["rays_per_second"] = static_cast<double>(render.ray_count()) / seconds;
-  summary["estimated_error"] = nullptr;
-  summary["estimated_error_interval"] = nullptr;
-  if (estimate) {
-    summary["estimated_error"] = estimate->error;
-    summary["estimated_error_interval"] = {estimate->low, estimate->high};
-  }
+  add_estimate(estimate, summary);
   summary["peak_memory_bytes"] = peak_memory_bytes();
   add_plan(plan, summary);
   return summary;
@@ -96,7 +91,7 @@ nlohmann::json visible_difference_of(const transport::Render& render, const Rend
   return json;
 }
 
-void print(const nlohmann::json& summary, const RenderArguments& arguments) {
+void print_summary(const nlohmann::json& summary, const RenderArguments& arguments) {
   const bool has_lines = arguments.progress == "json";
   if (arguments.json) fmt::print("{}\n", json_text(summary, has_lines));
   if (arguments.json || has_lines) return;
@@ -106,17 +101,11 @@ void print(const nlohmann::json& summary, const RenderArguments& arguments) {
   fmt::print("  setup {}, render {} ({:.2f} million paths and {:.2f} million rays per second)\n",
              duration_text(number("setup_seconds")), duration_text(number("render_seconds")),
              number("paths_per_second") / 1e6, number("rays_per_second") / 1e6);
-  if (!summary["estimated_error"].is_null()) {
-    const auto [low, high] = summary["estimated_error_interval"].get<std::array<double, 2>>();
-    fmt::print("  estimated error {:.3g} %, with 95 % confidence {:.3g} to {:.3g} %\n",
-               100 * number("estimated_error"), 100 * low, 100 * high);
-  }
+  print_estimate(summary);
   fmt::print("  peak memory {:.0f} MB, effects: {}\n", number("peak_memory_bytes") / 1e6,
              fmt::join(summary["effects"].get<std::vector<std::string>>(), ", "));
   fmt::print("  {}\n", left_out_line(summary));
 }
-
-void print(const Diagnostics& diagnostics) { fmt::print(stderr, "{}", diagnostics.to_text()); }
 
 /// Warns of samples that could not be added.
 void report_rejected(const transport::Render& render, const CompiledScene& scene, Diagnostics& diagnostics) {
@@ -169,7 +158,7 @@ bool can_render_part(const PartTask& task, const RenderOptions& render_options, 
     return refuse("BPT_MaxTime", "a part of an image has a number of samples and no time limit");
   }
   const bool has_ranges =
-      flags_text(task.part) != flags_text({.index = task.part.index, .count = task.part.count});
+      task.part != transport::ImagePart{.index = task.part.index, .count = task.part.count};
   if (render_options.adaptive && has_ranges) {
     return refuse("BPT_Adaptive", "of an adaptive image, parts are chosen by --part alone");
   }
@@ -184,9 +173,7 @@ bool can_render_part(const PartTask& task, const RenderOptions& render_options, 
 std::shared_ptr<const transport::Film> read_pilot(const std::string& path,
                                                   const transport::Fingerprint& fingerprint,
                                                   Diagnostics& diagnostics) {
-  Diagnostics of_pilot;  // its file is none of the scene's files, of which the image has a fingerprint
-  auto part = transport::read_part(path, of_pilot);
-  for (const auto& entry : of_pilot.entries()) diagnostics.error(entry.location, entry.message);
+  auto part = transport::read_part(path, diagnostics);
   if (!part) return nullptr;
   const bool fits = part->fingerprint == fingerprint && part->is_adaptive != 0;
   transport::PartMerge merge;
@@ -208,12 +195,8 @@ std::optional<job::RenderJob> prepare(const RenderOptions& render_options,
   }
   if (!checkpoint.empty() && !can_write_file(checkpoint, "checkpoint", diagnostics)) return std::nullopt;
   auto job = job::render_job(render_options, diagnostics);
-  if (!job || !task) return job;
-  job->settings.part = task->part;
-  if (task->pilot.empty()) return job;
-  job->settings.pilot =
-      read_pilot(task->pilot, fingerprint_of(render_options, diagnostics.files()), diagnostics);
-  return job->settings.pilot ? std::move(job) : std::nullopt;
+  if (job && task) job->settings.part = task->part;
+  return job;
 }
 
 RunSettings run_settings_of(const RenderOptions& render_options, const std::string& output,
@@ -273,10 +256,16 @@ ExitCode render_image(const RenderArguments& arguments, const RenderOptions& ren
   std::optional<transport::Render> render;
   SignalHandler signal_handler;  // destroyed before the render that it stops
   Diagnostics diagnostics = before;
-  const std::optional<job::RenderJob> job = prepare(render_options, outputs, task, diagnostics);
+  std::optional<job::RenderJob> job = prepare(render_options, outputs, task, diagnostics);
   print(diagnostics);
   if (!job) return ExitCode::BadInput;
   const RunSettings settings = run_settings_of(render_options, outputs.front(), task, diagnostics);
+  if (task && !task->pilot.empty()) {
+    Diagnostics of_pilot;
+    job->settings.pilot = read_pilot(task->pilot, settings.image_fingerprint, of_pilot);
+    print(of_pilot);
+    if (!job->settings.pilot) return ExitCode::BadInput;
+  }
   render.emplace(job->scene, job->settings);
   const double setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   ProgressReport progress(progress_style_of(arguments.progress));
@@ -299,7 +288,7 @@ ExitCode render_image(const RenderArguments& arguments, const RenderOptions& ren
   nlohmann::json summary =
       summary_of(*render, estimate, render_options, outputs.front(), setup_seconds, job->plan);
   if (arguments.json) summary["visible_difference"] = visible_difference_of(*render, render_options);
-  print(summary, arguments);
+  print_summary(summary, arguments);
   return signal_handler.was_signalled() ? ExitCode::Interrupted : ExitCode::Done;
 }
 

@@ -113,7 +113,7 @@ ImageLayer layer_of(std::string name, std::string channels, const Image& image) 
 
 Image image_of(const ImageLayer& layer, int width, int height) {
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  const std::size_t channels = std::max<std::size_t>(1, layer.channels.size());
+  const std::size_t channels = layer.channel_count();
   Image image{width, height, std::vector<grf::Colour>(pixels, grf::Colour(0))};
   for (std::size_t i = 0; i < pixels; ++i) {
     const float* values = &layer.values[i * channels];

@@ -19,6 +19,8 @@ struct ImageLayer {
   std::string name;
   std::string channels;       ///< one letter per channel; empty: a single channel with the layer's name
   std::vector<float> values;  ///< pixel by pixel, rows from the top
+
+  std::size_t channel_count() const { return channels.empty() ? 1 : channels.size(); }
 };
 
 /// Metadata of an image, such as an option of its render.

@@ -22,10 +22,6 @@ struct RenderHeader {
 static_assert(std::is_trivially_copyable_v<RenderHeader> && sizeof(RenderHeader) == 4 * 4 + 6 * 8,
               "the file has no gaps of unknown content");
 
-std::string_view bytes_of(const std::vector<FilmTile::PixelSums>& sums) {
-  return {reinterpret_cast<const char*>(sums.data()), sums.size() * sizeof(sums[0])};
-}
-
 constexpr std::size_t PixelBytes = sizeof(FilmTile::PixelSums);
 static_assert(PixelBytes == 96);
 /// The bytes of a tile, apart from its pixels.
@@ -87,7 +83,8 @@ bool write_checkpoint(const std::string& path, const Fingerprint& fingerprint, c
     FilmTile tile;
     for (int i = 0; i < render.film().tile_count(); ++i) {
       render.copy_tile(i, tile);
-      if (!write(bytes_of(tile.counts)) || !write(bytes_of(tile.spreads)) || !write(bytes_of(tile.pixels)))
+      if (!write(bytes_of(tile.counts)) || !write(bytes_of(tile.spreads)) ||
+          !write(bytes_of_all(tile.pixels)))
         return false;
     }
     return true;

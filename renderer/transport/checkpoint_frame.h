@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "grf/diagnostics.h"
 #include "grf/text_file.h"
@@ -68,6 +69,11 @@ std::string mismatch_reason(const CheckpointKind& kind, std::string_view what);
 template <class T>
 std::string_view bytes_of(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof(T)};
+}
+
+template <class T>
+std::string_view bytes_of_all(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
 /// Moves values from the front of bytes that are known to be long enough.

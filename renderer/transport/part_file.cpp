@@ -30,11 +30,6 @@ static_assert(std::is_trivially_copyable_v<PartHeader> && sizeof(PartHeader) == 
                   std::is_trivially_copyable_v<RenderedPart> && sizeof(RenderedPart) == 7 * 4,
               "the file has no gaps of unknown content");
 
-template <class T>
-std::string_view bytes_of_all(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
-
 /// Takes values from the front of bytes that may be too short.
 class Reader {
  public:
@@ -125,7 +120,7 @@ SamplePart part_of(const Render& render, const Fingerprint& fingerprint, int ima
   part.height = static_cast<std::uint32_t>(render.film().height());
   part.totals = render.totals();
   part.image_samples = static_cast<std::uint32_t>(image_samples);
-  part.is_adaptive = settings.adaptive && settings.pixel_sampling == PixelSampling::Sobol ? 1 : 0;
+  part.is_adaptive = settings.is_adaptive() ? 1 : 0;
   const bool is_of_pilot = part.is_adaptive != 0 && !settings.pilot;
   part.parts = {{settings.part.value_or(ImagePart()), is_of_pilot ? 1U : 0U}};
   part.tiles.resize(static_cast<std::size_t>(render.film().tile_count()));

@@ -22,7 +22,7 @@ struct RenderedPart {
   bool operator==(const RenderedPart&) const = default;
 };
 
-/// What a part has of a tile.
+/// The samples of a tile that a part has, and their sums.
 struct PartTile {
   std::array<SampleIntervals, FilmTile::Scramblings> samples;  ///< by half
   std::array<double, FilmTile::Scramblings> spreads = {};      ///< as in FilmTile; 0 without the pilot
@@ -41,7 +41,7 @@ struct SamplePart {
   std::uint32_t image_samples = 0;  ///< per pixel of the whole image
   std::uint32_t is_adaptive = 0;    ///< whether the image is sampled adaptively
   RenderTotals totals;
-  /// What else belongs to the image, in the format of whoever wrote it. Of several parts, the part with the
+  /// Metadata of the image, in the format of whoever wrote it. Of several parts, the part with the
   /// first sample of the first tile has the one that counts.
   std::string description;
   std::vector<RenderedPart> parts;  ///< of which this is the sum

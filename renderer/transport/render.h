@@ -63,6 +63,9 @@ struct RenderSettings {
   SamplePattern pattern = SamplePattern::Sobol;
   std::uint32_t seed = 0;
   int threads = 0;  ///< 0: one per core
+
+  /// Whether samples are placed adaptively.
+  bool is_adaptive() const { return adaptive && pixel_sampling == PixelSampling::Sobol; }
 };
 
 /// Totals of an image so far, over all runs if it was resumed.
@@ -167,9 +170,7 @@ class Render {
 
  private:
   RenderEnd run_stages();
-  bool is_adaptive() const {
-    return settings_.adaptive && settings_.pixel_sampling == PixelSampling::Sobol && part_samples_.empty();
-  }
+  bool is_adaptive() const { return settings_.is_adaptive() && part_samples_.empty(); }
   void take_part();
   std::uint32_t first_sample(int tile, std::size_t half) const;
   double samples_wanted() const;

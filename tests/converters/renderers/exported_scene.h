@@ -18,7 +18,7 @@ class ExportedScene {
   /// Exports GRF text; the OP text may be empty. Fails the test if that fails.
   explicit ExportedScene(const std::string& grf, const std::string& op = {});
 
-  /// The same with files beside the scene, by name.
+  /// Exports a scene likewise, with files beside it, by name.
   ExportedScene(const std::string& grf, const std::string& op, const test::TemporaryFolder& files);
 
   const test::PbrtScene& pbrt() const { return pbrt_; }
