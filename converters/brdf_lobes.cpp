@@ -230,7 +230,23 @@ BrdfLobes gltf(const Arguments& a) {
   return {base * (1 - metallic), base * metallic + normal * (1 - metallic), 2 / (along * across) - 2};
 }
 
-constexpr std::array<BrdfRule, 28> BrdfRules = {{
+// Coats, fibres and films are lost.
+BrdfLobes openpbr(const Arguments& a) {
+  const double ior = a.number({"ior", "specular_ior"}, 1.5);
+  const double root = (ior - 1) / (ior + 1);
+  const double weight = a.number({"specularWeight", "specular_weight"}, 1);
+  const double metalness = a.number({"metalness", "base_metalness"}, 0);
+  const Vec3d base = a.colour({"baseColor", "base_color"}, 0.8) * a.number({"baseWeight", "base_weight"}, 1);
+  const Vec3d dielectric =
+      a.colour({"specularColor", "specular_color"}, 1) * std::min(1.0, weight * root * root);
+  const double roughness = a.number({"roughness", "specular_roughness"}, 0.3);
+  const double less = 1 - a.number({"anisotropy", "specular_roughness_anisotropy"}, 0);
+  const double along = std::max(1e-4, roughness * roughness) * std::sqrt(2 / (1 + less * less));
+  return {base * (1 - metalness), base * (metalness * std::min(1.0, weight)) + dielectric * (1 - metalness),
+          2 / (along * std::max(1e-4, along * less)) - 2};
+}
+
+constexpr std::array<BrdfRule, 29> BrdfRules = {{
     {"diffuse", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"minnaert", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"oren", "r", "", "", [](const Arguments& a) { return diffuse(a.colour({"r"}, 0.5)); }},
@@ -259,6 +275,9 @@ constexpr std::array<BrdfRule, 28> BrdfRules = {{
     {"eon", "kd m/(1 - kd (1 - m)), m the albedo of white facets in single scattering", "", "", eon},
     {"ggx", "", "ks F0, or ks F", "2/(ax ay) - 2", ggx},
     {"gltf", "(1 - metallic) baseColor", "metallic baseColor + (1 - metallic) F0", "2/(ax ay) - 2", gltf},
+    {"openpbr", "(1 - metalness) baseWeight baseColor",
+     "specularWeight (metalness baseWeight baseColor + (1 - metalness) specularColor F0)", "2/(ax ay) - 2",
+     openpbr},
     {"thinfilm", "", "ks F, F at 610, 550 and 465 nm", "2/(ax ay) - 2", thinfilm},
     {"coat", "", "((ior - 1)/(ior + 1))^2", "2/alpha^2 - 2",
      [](const Arguments& a) {

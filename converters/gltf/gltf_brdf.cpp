@@ -39,7 +39,7 @@ struct Parameter {
 };
 
 /// The table of renderer/reflectance/gltf.h, which a test compares.
-constexpr std::array<Parameter, 12> Parameters = {{
+constexpr std::array<Parameter, 15> Parameters = {{
     {.name = "baseColor", .member = &GltfBrdf::base},
     {.name = "metallic", .member = &GltfBrdf::metallic},
     {.name = "roughness", .member = &GltfBrdf::roughness},
@@ -52,6 +52,13 @@ constexpr std::array<Parameter, 12> Parameters = {{
     {.name = "coatRoughness", .member = &GltfBrdf::coat_roughness, .alias = "clearcoatRoughness"},
     {.name = "sheenColor", .member = &GltfBrdf::sheen_colour},
     {.name = "sheenRoughness", .member = &GltfBrdf::sheen_roughness, .least = 0.01},
+    {.name = "iridescence", .member = &GltfBrdf::iridescence},
+    {.name = "iridescenceIor", .member = &GltfBrdf::iridescence_ior, .least = 1, .most = 3},
+    {.name = "filmThickness",
+     .member = &GltfBrdf::film_thickness,
+     .least = 10,
+     .most = 1000,
+     .alias = "iridescenceThicknessMaximum"},
 }};
 
 double largest(const Vec3d& v) { return std::max({v.x, v.y, v.z}); }
@@ -84,6 +91,10 @@ bool normalise(GltfBrdf& values) {
   if (values.anisotropy == 0) values.rotation = defaults.rotation;
   if (values.clearcoat == 0) values.coat_roughness = defaults.coat_roughness;
   if (values.sheen_colour == Vec3d(0)) values.sheen_roughness = defaults.sheen_roughness;
+  if (values.iridescence == 0) {
+    values.iridescence_ior = defaults.iridescence_ior;
+    values.film_thickness = defaults.film_thickness;
+  }
   return was_outside;
 }
 
@@ -135,7 +146,7 @@ grf::BrdfModel to_brdf(const GltfBrdf& values) {
 bool is_nearly_equal(const GltfBrdf& a, const GltfBrdf& b) {
   constexpr double Rounding = 3e-6;
   return std::all_of(Parameters.begin(), Parameters.end(), [&](const Parameter& parameter) {
-    const Vec3d difference = parameter.of(a) - parameter.of(b);
+    const Vec3d difference = (parameter.of(a) - parameter.of(b)) / std::max(1.0, largest(parameter.of(a)));
     return std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)}) < Rounding;
   });
 }

@@ -22,6 +22,9 @@ struct GltfBrdf {
   double coat_roughness = 0;
   grf::Vec3d sheen_colour = grf::Vec3d(0);
   double sheen_roughness = 0.3;
+  double iridescence = 0;
+  double iridescence_ior = 1.3;
+  double film_thickness = 400;  ///< nanometres
 };
 
 /// Clamps values to the ranges of the BRDF, and resets those that have no effect, such as the roughness of a

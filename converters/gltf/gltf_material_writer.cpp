@@ -71,6 +71,12 @@ void add_extensions(json& material, json& root, const GltfBrdf& values) {
            {{"sheenColorFactor", factors(values.sheen_colour)},
             {"sheenRoughnessFactor", rounded_factor(values.sheen_roughness)}});
   }
+  if (values.iridescence > 0) {
+    extend(material, root, "KHR_materials_iridescence",
+           {{"iridescenceFactor", rounded_factor(values.iridescence)},
+            {"iridescenceIor", rounded_factor(values.iridescence_ior)},
+            {"iridescenceThicknessMaximum", rounded_factor(values.film_thickness)}});
+  }
 }
 
 /// Returns the values of a surface's material. Without a BRDF it is grey, or black if it emits.
@@ -91,14 +97,16 @@ constexpr std::array<MaterialRule, 8> GltfWriterRules = {{
      ""},
     {"its other values, if they are not defaults",
      "`KHR_materials_ior`, `KHR_materials_specular`, `KHR_materials_anisotropy`, `KHR_materials_clearcoat`, "
-     "`KHR_materials_sheen`",
+     "`KHR_materials_sheen`, `KHR_materials_iridescence`",
      "brdf gltf ior=3 specular=0.5 specularColor=(1, 2, 4) anisotropy=0.5 rotation=-0.25 clearcoat=0.5 "
-     "coatRoughness=0.25 sheenColor=0.5 sheenRoughness=0.75",
+     "coatRoughness=0.25 sheenColor=0.5 sheenRoughness=0.75 iridescence=0.5 iridescenceIor=1.5 "
+     "filmThickness=250",
      "\"extensions\": {\"KHR_materials_ior\": {\"ior\": 3}, \"KHR_materials_specular\": {\"specularFactor\": "
      "0.5, \"specularColorFactor\": [1, 2, 4]}, \"KHR_materials_anisotropy\": {\"anisotropyStrength\": 0.5, "
      "\"anisotropyRotation\": -0.25}, \"KHR_materials_clearcoat\": {\"clearcoatFactor\": 0.5, "
      "\"clearcoatRoughnessFactor\": 0.25}, \"KHR_materials_sheen\": {\"sheenColorFactor\": [0.5, 0.5, 0.5], "
-     "\"sheenRoughnessFactor\": 0.75}}",
+     "\"sheenRoughnessFactor\": 0.75}, \"KHR_materials_iridescence\": {\"iridescenceFactor\": 0.5, "
+     "\"iridescenceIor\": 1.5, \"iridescenceThicknessMaximum\": 250}}",
      ""},
     {"others, a diffuse lobe m under a glossy lobe g",
      "m = 0.96 x base colour x (1 - metallic) and g = 0.04 x (1 - metallic) + base colour x metallic, solved "

@@ -71,7 +71,7 @@ TextureLookup lookup_of(int set, const Value* transform) {
 std::string joined(const std::vector<double>& values) { return fmt::format("{}", fmt::join(values, " ")); }
 
 /// The table of conversions by `Reading`.
-constexpr std::array<MaterialRule, 20> GltfRules = {{
+constexpr std::array<MaterialRule, 21> GltfRules = {{
     {"metallic-roughness", "`gltf` with its values, without those that are defaults of the BRDF",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0.5, "
      "\"roughnessFactor\": 0.25}",
@@ -111,6 +111,12 @@ constexpr std::array<MaterialRule, 20> GltfRules = {{
      "\"extensions\": {\"KHR_materials_sheen\": {\"sheenColorFactor\": [0.5, 0.25, 0], "
      "\"sheenRoughnessFactor\": 0.75}}",
      "gltf metallic=1 roughness=1 sheenColor=(0.5, 0.25, 0) sheenRoughness=0.75", ""},
+    {"`KHR_materials_iridescence`",
+     "`iridescence`, `iridescenceIor` to 3, and `filmThickness`, which is the largest one, from 10 to 1000 "
+     "nm",
+     "\"extensions\": {\"KHR_materials_iridescence\": {\"iridescenceFactor\": 0.5, \"iridescenceIor\": "
+     "1.5, \"iridescenceThicknessMaximum\": 250}}",
+     "gltf metallic=1 roughness=1 iridescence=0.5 iridescenceIor=1.5 filmThickness=250", ""},
     {"`KHR_materials_pbrSpecularGlossiness`",
      "read instead of metallic-roughness: `gltf baseColor=D specularColor=25*F0 roughness=1-glossiness`",
      "\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\": {\"diffuseFactor\": [0.5, 0.5, 0.5, 1], "
@@ -145,14 +151,15 @@ constexpr std::array<MaterialRule, 20> GltfRules = {{
 }};
 
 /// Extensions of materials that are read.
-constexpr std::array<std::string_view, 8> ReadExtensions = {"pbrSpecularGlossiness",
+constexpr std::array<std::string_view, 9> ReadExtensions = {"pbrSpecularGlossiness",
                                                             "unlit",
                                                             "emissive_strength",
                                                             "ior",
                                                             "specular",
                                                             "anisotropy",
                                                             "clearcoat",
-                                                            "sheen"};
+                                                            "sheen",
+                                                            "iridescence"};
 
 /// Converts one material of the file.
 class Reading {
@@ -291,7 +298,8 @@ class Reading {
     values_.ior = GltfBrdf().ior;
   }
 
-  // Reads KHR_materials_anisotropy, KHR_materials_clearcoat and KHR_materials_sheen.
+  // Reads KHR_materials_anisotropy, KHR_materials_clearcoat, KHR_materials_sheen and
+  // KHR_materials_iridescence.
   void read_layers() {
     if (const Value* anisotropy = extension_of(source_, "anisotropy")) {
       values_.anisotropy = number(*anisotropy, "anisotropyStrength", 0);
@@ -317,6 +325,15 @@ class Reading {
       values_.sheen_roughness = roughness >= 0 ? std::max(roughness, LeastRoughness) : roughness;
       say(fmt::format("sheenColorFactor {}; sheenRoughnessFactor {}", fmt::join(colour, " "), roughness));
       lose_maps(*sheen, {"sheenColorTexture", "sheenRoughnessTexture"});
+    }
+    if (const Value* film = extension_of(source_, "iridescence")) {
+      values_.iridescence = number(*film, "iridescenceFactor", 0);
+      values_.iridescence_ior = number(*film, "iridescenceIor", values_.iridescence_ior);
+      // Without a map of it, this is the thickness.
+      values_.film_thickness = number(*film, "iridescenceThicknessMaximum", values_.film_thickness);
+      say(fmt::format("iridescenceFactor {}; iridescenceIor {}; iridescenceThicknessMaximum {}",
+                      values_.iridescence, values_.iridescence_ior, values_.film_thickness));
+      lose_maps(*film, {"iridescenceTexture", "iridescenceThicknessTexture"});
     }
   }
 

@@ -23,6 +23,7 @@
 #include "renderer/reflectance/measured.h"
 #include "renderer/reflectance/minnaert.h"
 #include "renderer/reflectance/neumann.h"
+#include "renderer/reflectance/openpbr.h"
 #include "renderer/reflectance/oren.h"
 #include "renderer/reflectance/phong.h"
 #include "renderer/reflectance/poulin.h"
@@ -43,7 +44,7 @@ namespace reflectance {
 using FormulaBrdf =
     std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance, Coupled,
                  Ashikhmin, Schlick, Strauss, Neumann, BeardMaxwell, Kajiya, Hanrahan, Westin, Granier,
-                 Poulin, He, Eon, Ggx, Sheen, ThinFilm, Gltf>;
+                 Poulin, He, Eon, Ggx, Sheen, ThinFilm, Gltf, OpenPbr>;
 
 template <class Variant, class... More>
 struct Extended;

@@ -15,6 +15,7 @@ struct EonFormula {
   static constexpr real PI = Pi<real>;
 #include "renderer/reflectance/common.glsl"
 #include "renderer/reflectance/eon.glsl"
+#include "renderer/reflectance/rough_diffuse.glsl"
 };
 
 }  // namespace reflectance::glsl

@@ -35,6 +35,15 @@ real fresnel(real c, real s2, real n, real k) {
 }
 real fresnel(real c, real n, real k) { return fresnel(c, (1 - c) * (1 + c), n, k); }
 
+// Computes the same for a dielectric from n^2 - 1, which keeps more digits where n is nearly 1 than n itself.
+real fresnel_of_excess(real c, real s2, real excess) {
+  if (excess == 0) return real(0);
+  real a = sqrt(excess + c * c);
+  real perpendicular = excess / ((a + c) * (a + c));
+  real parallel = (a * c - s2) / (a * c + s2);
+  return min(real(1), perpendicular * perpendicular * (1 + parallel * parallel) / 2);
+}
+
 // Returns the squared sine of incidence at the microfacet that reflects v to u. u - v gives it without
 // cancellation.
 real squared_sine_at_half(vec3 u, vec3 v) {

@@ -11,6 +11,7 @@ struct GgxFormula {
   using vec3 = Imath::Vec3<real>;
   static constexpr real PI = Pi<real>;
 #include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/facet_fresnel.glsl"
 #include "renderer/reflectance/fresnel.glsl"
 #include "renderer/reflectance/ggx.glsl"
 #include "renderer/reflectance/microfacets.glsl"

@@ -15,8 +15,10 @@ struct GltfFormula {
   static constexpr real PI = Pi<real>;
 #include "renderer/reflectance/common.glsl"
 #include "renderer/reflectance/fibres.glsl"
+#include "renderer/reflectance/film_fresnel.glsl"
 #include "renderer/reflectance/fresnel.glsl"
 #include "renderer/reflectance/gltf.glsl"
+#include "renderer/reflectance/layering.glsl"
 #include "renderer/reflectance/microfacets.glsl"
 };
 
@@ -38,6 +40,9 @@ struct Gltf {
   float coat_roughness = 0;
   Rgb sheen_colour = Rgb(0);
   float sheen_roughness = 0.3F;
+  float iridescence = 0;
+  float iridescence_ior = 1.3F;
+  float film_thickness = 400;
 
   static ModelTable<Gltf> table() {
     return {
@@ -60,22 +65,32 @@ struct Gltf {
                               grf::ParameterScale::Linear, {"clearcoatRoughness"}),
              reflectance_parameter(&Gltf::sheen_colour, "sheenColor", "colour of fibres on the surface"),
              number_parameter(&Gltf::sheen_roughness, "sheenRoughness", 0.01F, 1,
-                              "roughness of the fibres, as of sheen")},
+                              "roughness of the fibres, as of sheen"),
+             number_parameter(&Gltf::iridescence, "iridescence", 0, 1, "strength of a thin film"),
+             number_parameter(&Gltf::iridescence_ior, "iridescenceIor", 1, 3,
+                              "index of refraction of the film"),
+             in_unit("nm", number_parameter(&Gltf::film_thickness, "filmThickness", 10, 1000,
+                                            "thickness of the film", grf::ParameterScale::Linear,
+                                            {"iridescenceThicknessMaximum"}))},
         .not_isotropic = "isotropic if anisotropy = 0",
         .not_reciprocal = "reciprocal if sheenColor = 0",
         .not_conserving = "white reflects up to 1.015 at grazing, the error of the fitted albedos",
         .not_continuous = "as sheen",
         .description =
-            "The material of glTF files, with the extensions ior, specular, anisotropy, sheen and clearcoat, "
-            "and their names and ranges. GGX facets are a metal of the base's colour, or a dielectric over a "
+            "The material of glTF files, with the extensions ior, specular, anisotropy, iridescence, sheen "
+            "and "
+            "clearcoat, and their names and ranges. GGX facets are a metal of the base's colour, or a "
+            "dielectric over a "
             "diffuse base, or a mixture. As the format permits, energy is kept: light between facets is not "
             "lost, and the diffuse base, and all that is below fibres or a coat, gets what the layer above "
-            "does not reflect. Fibres are those of sheen, not of the format's Charlie lobe.",
+            "does not reflect. Fibres are those of sheen, not of the format's Charlie lobe. "
+            "A film is that of thinfilm, over a dielectric of the same reflectance at normal incidence.",
         .formula = R"(
 f = cc S(0.04) DG + (1 - cc max(Ec(u), Ec(v))) (sheenColor fs + (1 - s max(Es(u), Es(v))) fb)
 fb = F DG + k (1 - E(u)) (1 - E(v))/(pi (1 - m)) + (1 - metallic) baseColor/pi (1 - Ed(u)) (1 - Ed(v))/(1 - Em)
 F = S(F0) of the dielectric, or S(baseColor) of the metal;  S(x) = x + (S90 - x) (1 - u.h)^5
 F0 = specular min(1, specularColor ((ior-1)/(ior+1))^2);  DG = D G/(4 cu cv), k, E, m as of ggx
+with iridescence, S is mixed with F of thinfilm over the index (1 + sqrt(x))/(1 - sqrt(x))
 Ec, Es, Ed: albedos of the coat, the fibres and the dielectric;  Em: the mean of Ed;  fs: sheen)",
         .example =
             "gltf baseColor=(0.8, 0.25, 0.1) metallic=0 roughness=0.35 clearcoat=0.5 coatRoughness=0.4",
@@ -86,8 +101,14 @@ Ec, Es, Ed: albedos of the coat, the fibres and the dielectric;  Em: the mean of
   void prepare() {
     rough_ = Formula().gltf_rough(roughness, anisotropy);
     normal_ = Formula().gltf_normal(ior, specular, specular_colour);
-    further_ = Formula().gltf_further(base, metallic, normal_, specular, rough_.z);
-    dielectric_ = Formula().gltf_dielectric(normal_, specular, rough_.z);
+    film_ = Rgb(iridescence, iridescence_ior, film_thickness);
+    further_ = Formula().gltf_further(base, metallic, normal_, specular, rough_.z, film_);
+    dielectric_ = Formula().gltf_dielectric(normal_, specular, rough_.z, film_);
+    at_normal_ = of_facets(normal_, base);
+    if (iridescence > 0) {
+      at_normal_ = of_facets(Formula().gltf_reflectance(normal_, specular, 1, 0, film_),
+                             Formula().gltf_reflectance(base, 1, 1, 0, film_));
+    }
     coat_rough_ = Formula().gltf_rough(coat_roughness, 0);
   }
   Gltf() { prepare(); }
@@ -96,12 +117,14 @@ Ec, Es, Ed: albedos of the coat, the fibres and the dielectric;  Em: the mean of
   Vec3<Real> evaluate(const Vec3<Real>& u, const Vec3<Real>& v) const {
     if constexpr (std::is_same_v<Real, float>) {
       return Formula().gltf_prepared(u, v, rough_, rotation, base, metallic, normal_, specular, clearcoat,
-                                     coat_rough_, sheen_colour, sheen_roughness, further_, dielectric_);
+                                     coat_rough_, sheen_colour, sheen_roughness, film_, further_,
+                                     dielectric_);
     } else {
       return glsl::GltfFormula<Real>().gltf(
           u, v, Vec3<Real>(base), Real(metallic), Real(roughness), Real(ior), Real(specular),
           Vec3<Real>(specular_colour), Real(anisotropy), Real(rotation), Real(clearcoat),
-          Real(coat_roughness), Vec3<Real>(sheen_colour), Real(sheen_roughness));
+          Real(coat_roughness), Vec3<Real>(sheen_colour), Real(sheen_roughness), Real(iridescence),
+          Real(iridescence_ior), Real(film_thickness));
     }
   }
 
@@ -155,9 +178,9 @@ Ec, Es, Ed: albedos of the coat, the fibres and the dielectric;  Em: the mean of
     if (!is_black(sheen_colour)) {
       const float fibres = Formula().sheen_albedo(u.z, sheen_roughness);
       albedos.rest = below * mean(sheen_colour) * fibres;
-      below *= 1 - std::min(1.0F, Formula().gltf_largest(sheen_colour) * fibres);
+      below *= 1 - std::min(1.0F, Formula().largest_channel(sheen_colour) * fibres);
     }
-    const Rgb normal = normal_ + (base - normal_) * metallic;
+    const Rgb& normal = at_normal_;
     const float grazing = specular + (1 - specular) * metallic;
     const float missing = Formula().ggx_missing(u.z, rough_.z);
     const float facets =
@@ -168,6 +191,11 @@ Ec, Es, Ed: albedos of the coat, the fibres and the dielectric;  Em: the mean of
     return albedos;
   }
 
+  /// Returns what is between the dielectric and the metal.
+  Rgb of_facets(const Rgb& of_dielectric, const Rgb& of_metal) const {
+    return of_dielectric + (of_metal - of_dielectric) * metallic;
+  }
+
   FacetSampler facets() const { return {rough_, rotation}; }
   FacetSampler coat() const { return {coat_rough_, 0}; }
 
@@ -175,6 +203,8 @@ Ec, Es, Ed: albedos of the coat, the fibres and the dielectric;  Em: the mean of
   Rgb rough_;       ///< roughness along x and y, and their quadratic mean
   Rgb coat_rough_;  ///< the coat's
   Rgb normal_;      ///< reflectance of the dielectric at normal incidence
+  Rgb at_normal_;   ///< reflectance of the facets at normal incidence
+  Rgb film_;        ///< strength, index of refraction and thickness of the film
   Rgb further_;     ///< factor of the lobe of light between facets
   Rgb dielectric_;  ///< see gltf.glsl
 };

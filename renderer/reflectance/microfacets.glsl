@@ -73,9 +73,10 @@ real ggx_mean_missing(real alpha) {
   return alpha * alpha / (real(0.2721f) + alpha * (real(1.10382f) + alpha * cubic));
 }
 
-// Returns the directional albedo of facets that reflect (1 - u.h)^5, the second part of Schlick's
-// approximation: a fit, at most 0.017 from the quadrature of scripts/fit_ggx_albedo.
-real ggx_grazing(real c, real alpha) {
+// Returns the cosine at which a single facet reflects (1 - u.h)^5, the second part of Schlick's approximation, as
+// much as facets do that are seen at c: a fit, for which `ggx_grazing` is at most 0.017 from the quadrature of
+// scripts/fit_ggx_albedo.
+real ggx_schlick_cosine(real c, real alpha) {
   real root = sqrt(alpha);
   real rest = real(0.3781f) + root * (real(-2.2341f) + root * real(1.3077f));
   real least = root * sqrt(root) * (real(1.0165f) + root * rest);
@@ -83,7 +84,32 @@ real ggx_grazing(real c, real alpha) {
   real a1 = real(7.0018f) + root * (real(-26.2794f) + root * real(18.4785f));
   real a2 = real(-8.7116f) + root * (real(30.7108f) - root * real(22.2822f));
   real place = sqrt(c * c + least * least) + c * root * (a0 + c * (a1 + c * a2));
-  return fifth_power(1 - min(real(1), max(real(0), place))) * (1 - ggx_missing(c, alpha));
+  return min(real(1), max(real(0), place));
+}
+
+// Returns the directional albedo of facets that reflect (1 - u.h)^5.
+real ggx_grazing(real c, real alpha) {
+  return fifth_power(1 - ggx_schlick_cosine(c, alpha)) * (1 - ggx_missing(c, alpha));
+}
+
+// Returns the mean of u.h over what white facets reflect: a fit, at most 0.016 from the quadrature of
+// scripts/fit_facet_cosines.
+real ggx_mean_cosine(real c, real alpha) {
+  real root = sqrt(alpha);
+  real level = real(4.5399f) + root * (real(-6.5855f) + root * real(2.7786f));
+  real slope = real(10.1567f) + root * (real(-8.4211f) + root * real(1.9925f));
+  real curve = real(-17.4517f) + root * (real(19.2256f) - root * real(6.5784f));
+  level = real(0.0047f) + root * (real(-0.2894f) + root * level);
+  slope = real(0.1532f) + root * (real(-3.5316f) + root * slope);
+  curve = real(-0.1155f) + root * (real(3.9313f) + root * curve);
+  return sqrt(min(real(1), max(c * c + root * (level + c * (slope + c * curve)), real(0))));
+}
+
+// Returns the cosine at which a single facet reflects, by Fresnel's equations, about as much as facets do that are
+// seen at c. Towards grazing it is less than their mean, since the steeper ones reflect more.
+real ggx_fresnel_cosine(real c, real alpha) {
+  real mean_value = ggx_mean_cosine(c, alpha);
+  return mean_value + (ggx_schlick_cosine(c, alpha) - mean_value) * ((1 - c) * (1 + c));
 }
 
 // Returns the mean of `ggx_grazing` over the hemisphere, weighted by the cosine.

@@ -97,6 +97,19 @@ const std::vector<PresetTable>& preset_tables() {
         {"matt plastic", "ashikhmin ex=12 Rs=0.04 Rd=(0.1, 0.25, 0.5)"},
         {"rubber", "ashikhmin ex=4 Rs=0.04 Rd=0.03"},
         {"varnished wood", "ashikhmin ex=300 Rs=0.04 Rd=(0.4, 0.2, 0.08)"}}},
+      {"OpenPBR",
+       {{"anodised aluminium, violet",
+         "openpbr metalness=1 baseColor=(0.9, 0.9, 0.92) roughness=0.35 anisotropy=0.5 filmWeight=1 "
+         "filmThickness=0.21 filmIor=1.77"},
+        {"car paint, blue",
+         "openpbr baseColor=(0.03, 0.12, 0.5) metalness=0.6 roughness=0.45 coatWeight=1 coatRoughness=0.02 "
+         "coatIor=1.5"},
+        {"lacquered copper",
+         "openpbr metalness=1 baseColor=(0.955, 0.638, 0.538) specularColor=(0.9, 0.97, 1) roughness=0.3 "
+         "coatWeight=1 coatColor=(1, 0.85, 0.6) coatRoughness=0.1"},
+        {"velvet, black",
+         "openpbr baseColor=0.02 diffuseRough=0.8 roughness=0.8 fuzzWeight=1 fuzzColor=0.4 "
+         "fuzzRoughness=0.2"}}},
       // Cloth with a pile shines towards grazing over a dark base; satin has long threads on one side.
       {"Fabrics",
        {{"felt", "oren s=0.6 r=0.6"},

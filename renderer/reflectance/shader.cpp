@@ -19,7 +19,8 @@ constexpr std::size_t MostParameters = 224;
 /// The files shared by formulas, in order of dependency.
 constexpr std::array SharedFiles = {"glsl_functions", "float_functions", "common",    "fresnel",
                                     "beckmann",       "refraction",      "kirchhoff", "microfacets",
-                                    "fibres",         "transmission"};
+                                    "facet_fresnel",  "film_fresnel",    "fibres",    "rough_diffuse",
+                                    "layering",       "transmission"};
 
 constexpr std::string_view TransmissionText = R"(
 vec3 transmission(float c, int first) {

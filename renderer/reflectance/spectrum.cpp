@@ -75,7 +75,7 @@ double kirchhoff_value(const Model& model, const V3d& u, const V3d& v, float wav
   return single.template evaluate<double>(u, v).x;
 }
 
-/// Evaluates a film as `thinfilm` in thinfilm.glsl does, at one wavelength instead of the sum of all.
+/// Evaluates a film as film_fresnel.glsl does, at one wavelength instead of the sum of all.
 double film_value(const ThinFilm& model, const V3d& u, const V3d& v, double wavelength) {
   glsl::ThinFilmFormula<double> formula;
   if (formula.below_horizon(u, v)) return 0;

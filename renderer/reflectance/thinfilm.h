@@ -11,6 +11,7 @@ struct ThinFilmFormula {
   using vec3 = Imath::Vec3<real>;
   static constexpr real PI = Pi<real>;
 #include "renderer/reflectance/common.glsl"
+#include "renderer/reflectance/film_fresnel.glsl"
 #include "renderer/reflectance/fresnel.glsl"
 #include "renderer/reflectance/microfacets.glsl"
 #include "renderer/reflectance/thinfilm.glsl"

@@ -64,6 +64,11 @@ def rows():
     yield ("gltf baseColor=(0.8, 0.4, 0.2) metallic=0.25 roughness=0.5 ior=1.5 specular=0.5 anisotropy=0.5",
            (0.6, 0.3, 0.15), tuple(0.25 * colour + 0.75 * 0.5 * 0.04 for colour in (0.8, 0.4, 0.2)),
            2 / (0.25 * (0.25 + 0.75 * 0.25)) - 2)
+    wide = 0.25 * sqrt(2 / (1 + 0.75 ** 2))
+    yield ("openpbr baseWeight=0.5 baseColor=(0.8, 0.4, 0.2) metalness=0.25 specularWeight=0.5 specularColor=(1, 0.5, 0.25) "
+           "roughness=0.5 anisotropy=0.25", (0.3, 0.15, 0.075),
+           tuple(0.5 * (0.25 * 0.5 * colour + 0.75 * tint * fresnel(1.5))
+                 for colour, tint in ((0.8, 1), (0.4, 0.5), (0.2, 0.25))), 2 / (wide * 0.75 * wide) - 2)
     yield ("thinfilm alpha=0.25 ay=0.5 thickness=250 film=1.5 nreal=2 nimag=3 ks=0.8", 0,
            tuple(0.8 * film_reflectance(250, 1.5, 2 + 3j, wavelength) for wavelength in (610, 550, 465)),
            2 / (0.25 * 0.5) - 2)

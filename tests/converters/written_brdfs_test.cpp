@@ -89,6 +89,11 @@ const std::vector<WrittenBrdf>& written_brdfs() {
        {0.6, 0.3, 0.15},
        {0.215, 0.115, 0.065},
        16.285714},
+      {"openpbr baseWeight=0.5 baseColor=(0.8, 0.4, 0.2) metalness=0.25 specularWeight=0.5 "
+       "specularColor=(1, 0.5, 0.25) roughness=0.5 anisotropy=0.25",
+       {0.3, 0.15, 0.075},
+       {0.065, 0.0325, 0.01625},
+       31.333333},
       {"thinfilm alpha=0.25 ay=0.5 thickness=250 film=1.5 nreal=2 nimag=3 ks=0.8",
        {0, 0, 0},
        {0.30456704, 0.22698684, 0.35483166},

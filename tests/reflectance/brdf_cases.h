@@ -82,6 +82,14 @@ inline const std::vector<std::string>& plain_cases() {
       "gltf baseColor=(0.9, 0.5, 0.2) metallic=0.6 roughness=0.7 anisotropy=0.5 rotation=0.4",
       "gltf roughness=1 sheenColor=(0.2, 0.5, 0.9) clearcoat=1 clearcoatRoughness=0.5",
       "gltf roughness=0.2 ior=1.8 specular=0.7 specularColor=(0.5, 1, 2)",
+      "gltf baseColor=(0.7, 0.5, 0.3) metallic=0.4 roughness=0.4 iridescence=0.8 filmThickness=300",
+      "openpbr baseColor=(0.8, 0.25, 0.1) roughness=0.35 diffuseRough=0.6 coatWeight=0.6 coatRoughness=0.3 "
+      "coatColor=(0.9, 0.7, 0.5)",
+      "openpbr baseColor=(0.9, 0.5, 0.2) metalness=0.6 specularColor=(0.8, 0.9, 1) roughness=0.7 "
+      "anisotropy=0.5 rotation=0.4",
+      "openpbr roughness=0.6 fuzzWeight=0.8 fuzzColor=(0.2, 0.5, 0.9) coatWeight=1 coatRoughness=0.5 "
+      "coatDarkening=0.5",
+      "openpbr baseColor=0.3 metalness=0.4 roughness=0.4 filmWeight=0.7 filmThickness=0.3 specularWeight=0.8",
       "thinfilm alpha=0.1 thickness=350 film=1.5 nreal=2.5 nimag=3.4",
       "thinfilm alpha=0.4 ay=0.2 thickness=500 nreal=1 ks=(1, 0.8, 0.9)",
       "sheen rough=0.3",
@@ -169,6 +177,11 @@ inline const std::vector<std::string>& hard_cases() {
       "gltf roughness=0 metallic=1 anisotropy=1 clearcoat=1",
       "gltf roughness=0 ior=1 sheenColor=1 sheenRoughness=0.01",
       "gltf roughness=1 ior=10 specularColor=25",
+      "gltf roughness=0 metallic=0.5 iridescence=1 iridescenceIor=3 filmThickness=1000",
+      "openpbr metalness=1 baseColor=1 roughness=0 anisotropy=1 coatWeight=1",
+      "openpbr roughness=0 ior=1 fuzzWeight=1 fuzzRoughness=0.01",
+      "openpbr roughness=1 ior=10 specularWeight=25 coatWeight=0.5 coatIor=3 coatColor=0",
+      "openpbr roughness=0 metalness=0.5 baseColor=1 specularColor=0 filmWeight=1 filmThickness=1 filmIor=3",
       "thinfilm alpha=0.0001 thickness=1000 film=3 nreal=0.001 nimag=100",
       "thinfilm alpha=1 thickness=1 film=1 nreal=1.00001",
       "sheen rough=0.01",

@@ -108,6 +108,8 @@ def fon_albedo(rough, theta):
 
 
 def eon(p, u, v):
+    if p.rough == 0:
+        return p.kd / pi
     s = sin(u.theta) * sin(v.theta) * cos(u.phi - v.phi)
     t = max(cos(u.theta), cos(v.theta)) if s > 0 else 1
     scale = 1 / (1 + (1 / 2 - 2 / (3 * pi)) * p.rough)
@@ -218,11 +220,36 @@ GRAZING_LEAST = (1.0165, 0.3781, -2.2341, 1.3077)
 GRAZING = ((-1.366, 4.6269, -2.7931), (7.0018, -26.2794, 18.4785), (-8.7116, 30.7108, -22.2822))
 
 
-def ggx_grazing(theta, alpha):
+def grazing_cosine(theta, alpha):
     c, root = cos(theta), sqrt(alpha)
     least = sum(a * root ** (1.5 + i) for i, a in enumerate(GRAZING_LEAST))
     place = hypot(c, least) + sum(a * c ** (i + 1) * root ** (j + 1) for i, row in enumerate(GRAZING) for j, a in enumerate(row))
-    return (1 - min(1, max(0, place))) ** 5 * (1 - ggx_missing(theta, alpha))
+    return min(1, max(0, place))
+
+
+def ggx_grazing(theta, alpha):
+    return (1 - grazing_cosine(theta, alpha)) ** 5 * (1 - ggx_missing(theta, alpha))
+
+
+def white_facets(u, v, ax, ay, rotation):
+    return ggx(Parameters(alpha=ax, ay=ay, anisotropy=0, rotation=rotation, F0=1, F82=1, ks=1, scattering='single',
+                          of_all_channels={'F0': (1,)}), u, v)
+
+
+def gltf_normals(p):
+    return [min(1, ((p.ior - 1) / (p.ior + 1)) ** 2 * colour) * p.specular for colour in p.of_all_channels['specularColor']]
+
+
+@functools.lru_cache(maxsize=None)
+def gltf_films(p):
+    """By metal and channel, the film over a dielectric of the same reflectance at normal incidence."""
+    def film(normal, colour):
+        root = min(0.995, max(0.01, sqrt(normal)))
+        return Parameters(film=p.iridescenceIor, thickness=p.filmThickness, nreal=(1 + root) / (1 - root), nimag=0, channel=colour)
+    films = {(True, colour): film(base, colour) for colour, base in zip(COLOURS, p.of_all_channels['baseColor'])}
+    if p.specular > 0:
+        films.update({(False, colour): film(normal / p.specular, colour) for colour, normal in zip(COLOURS, gltf_normals(p))})
+    return films
 
 
 def gltf(p, u, v):
@@ -231,32 +258,52 @@ def gltf(p, u, v):
     alpha = sqrt((along ** 2 + across ** 2) / 2)
     least = alpha ** 2 / sum(a * alpha ** i for i, a in enumerate(MEAN_MISSING))
 
-    def white(ax, ay, rotation):
-        return ggx(Parameters(alpha=ax, ay=ay, anisotropy=0, rotation=rotation, F0=1, F82=1, ks=1, scattering='single',
-                              of_all_channels={'F0': (1,)}), u, v)
+    def schlick(normal, grazing, angle):
+        return normal + (grazing - normal) * (1 - cos(angle)) ** 5
 
-    def schlick(normal, grazing):
-        return normal + (grazing - normal) * (1 - cos(angles_of_half(u, v)[2])) ** 5
+    def filmed(normal, grazing, angle, metal=False, colour=p.channel):
+        bare = schlick(normal, grazing, angle)
+        if p.iridescence == 0 or grazing == 0:
+            return bare
+        return interpolated(bare, grazing * film_reflectance(gltf_films(p)[metal, colour], angle), p.iridescence)
 
-    def leaves(normal, grazing):
+    def mean_of(normal, grazing, metal=False, colour=p.channel):
         mean = normal + (grazing - normal) / 21
+        if p.iridescence == 0 or grazing == 0:
+            return mean
+        film = gltf_films(p)[metal, colour]
+        covered = sum(film_reflectance(film, acos(sqrt(0.5 + side / sqrt(12)))) for side in (-1, 1)) / 2
+        return interpolated(mean, grazing * covered, p.iridescence)
+
+    def leaves(mean):
         return mean ** 2 * (1 - least) / (1 - mean * least)
 
     def facets(theta, a, normal, grazing, further):
         missing = ggx_missing(theta, a)
         return normal * (1 - missing) + (grazing - normal) * ggx_grazing(theta, a) + further * missing
 
-    normals = [min(1, ((p.ior - 1) / (p.ior + 1)) ** 2 * colour) * p.specular for colour in p.of_all_channels['specularColor']]
+    normals = gltf_normals(p)
     normal, largest = normals[COLOURS.index(p.channel)], max(normals)
-    further = leaves(largest, p.specular)
-    mean = (largest * (1 - least) + (p.specular - largest) / (21 * (1 + alpha * (2.603 + alpha * (14.151 - 0.653 * alpha)))) +
-            further * least)
-    m = p.metallic
-    value = ((1 - m) * schlick(normal, p.specular) + m * schlick(p.baseColor, 1)) * white(along, across, p.rotation)
-    between = (1 - m) * leaves(normal, p.specular) + m * leaves(p.baseColor, 1)
+    further = leaves(max(mean_of(each, p.specular, colour=colour) for each, colour in zip(normals, COLOURS)))
+
+    def passed(theta):
+        if p.iridescence == 0:
+            return 1 - facets(theta, alpha, largest, p.specular, further)
+        missing, angle = ggx_missing(theta, alpha), fresnel_angle(theta, alpha)
+        reflected = max(filmed(each, p.specular, angle, colour=colour) for each, colour in zip(normals, COLOURS))
+        return max(0, 1 - reflected * (1 - missing) - further * missing)
+
+    if p.iridescence == 0:
+        mean_passed = 1 - (largest * (1 - least) + further * least + (p.specular - largest) /
+                           (21 * (1 + alpha * (2.603 + alpha * (14.151 - 0.653 * alpha)))))
+    else:
+        mean_passed = 2 * sum(weight * passed(acos(place)) for place, weight in THREE_PLACES)
+    m, beta = p.metallic, angles_of_half(u, v)[2]
+    value = ((1 - m) * filmed(normal, p.specular, beta) + m * filmed(p.baseColor, 1, beta, True)) * white_facets(
+        u, v, along, across, p.rotation)
+    between = (1 - m) * leaves(mean_of(normal, p.specular)) + m * leaves(mean_of(p.baseColor, 1, True))
     value += between * ggx_missing(u.theta, alpha) * ggx_missing(v.theta, alpha) / (pi * least)
-    value += ((1 - m) * p.baseColor / pi / (1 - mean) * (1 - facets(u.theta, alpha, largest, p.specular, further)) *
-              (1 - facets(v.theta, alpha, largest, p.specular, further)))
+    value += (1 - m) * p.baseColor / pi / mean_passed * passed(u.theta) * passed(v.theta)
     strongest = max(p.of_all_channels['sheenColor'])
     if strongest > 0:
         value *= 1 - strongest * max(sheen_albedo(cos(w.theta), p.sheenRoughness) for w in (u, v))
@@ -264,8 +311,140 @@ def gltf(p, u, v):
     if p.clearcoat > 0:
         coat = max(1e-4, p.coatRoughness ** 2)
         value *= 1 - p.clearcoat * max(facets(w.theta, coat, 0.04, 1, 0) for w in (u, v))
-        value += p.clearcoat * schlick(0.04, 1) * white(coat, coat, 0)
+        value += p.clearcoat * schlick(0.04, 1, beta) * white_facets(u, v, coat, coat, 0)
     return value
+
+
+# The fit of the mean of u.h over what facets reflect, by power of the cosine and of the root of alpha; openpbr_test
+# compares it with quadrature. The rule is table 25.8 of Abramowitz and Stegun, "Handbook of Mathematical Functions".
+MEAN_COSINE = ((0.0047, -0.2894, 4.5399, -6.5855, 2.7786), (0.1532, -3.5316, 10.1567, -8.4211, 1.9925),
+               (-0.1155, 3.9313, -17.4517, 19.2256, -6.5784))
+THREE_PLACES = ((0.2123405382, 0.0698269799), (0.5905331356, 0.2292411064), (0.9114120405, 0.2009319137))
+
+
+def fresnel_angle(theta, alpha):
+    square = cos(theta) ** 2 + sum(a * cos(theta) ** i * alpha ** ((j + 1) / 2)
+                                   for i, row in enumerate(MEAN_COSINE) for j, a in enumerate(row))
+    mean = sqrt(min(1, max(0, square)))
+    return acos(mean + (grazing_cosine(theta, alpha) - mean) * sin(theta) ** 2)
+
+
+def mean_of_dipped(normal, at_82):
+    """Of Schlick's approximation that dips to a value at 82 degrees (Hoffman 2023), over the hemisphere."""
+    dip = (schlick_of(normal, 1 / 7) - at_82) / (1 / 7 * (6 / 7) ** 6)
+    return min(1, max(0, normal + (1 - normal) / 21 - dip / 126))
+
+
+def interpolated(first, second, weight):
+    return first + (second - first) * weight
+
+
+class OpenPbr:
+    """What depends on the parameters of one channel (OpenPBR 1.1, sections "Base Substrate" to "Fuzz")."""
+
+    def __init__(self, p):
+        self.p, self.colour = p, p.baseWeight * p.baseColor
+        wider = min(1, p.roughness ** 4 + 2 * p.coatRoughness ** 4) ** 0.25
+        self.along, self.across, self.alpha = self.facets(interpolated(p.roughness, wider, p.coatWeight), p.anisotropy)
+        self.coat_along, self.coat_across, self.coat_alpha = self.facets(p.coatRoughness, p.coatAnisotropy)
+        ratio = interpolated(p.ior, p.ior / p.coatIor, p.coatWeight)
+        slight = min(0.95, sqrt(p.specularWeight * fresnel(0, ratio, 0)))
+        self.index = (1 + slight) / (1 - slight)
+        # Gulbrandsen 2014: n between its least and greatest values, and k from the reflectance.
+        r = min(max(self.colour, 0.01 ** 2), 0.995 ** 2)
+        self.metal = interpolated((1 + sqrt(r)) / (1 - sqrt(r)), (1 - r) / (1 + r), p.specularColor)
+        self.metal_nimag = sqrt(max(0, r * (self.metal + 1) ** 2 - (self.metal - 1) ** 2) / (1 - r))
+        self.films = {metal: Parameters(film=p.filmIor, thickness=1000 * p.filmThickness, channel=p.channel,
+                                        nreal=self.metal if metal else max(1.02, self.index), nimag=self.metal_nimag if metal else 0)
+                      for metal in (False, True)}
+        self.least = self.alpha ** 2 / sum(a * self.alpha ** i for i, a in enumerate(MEAN_MISSING))
+        self.mean_bare = mean_of_dipped(fresnel(0, self.index, 0), fresnel(acos(1 / 7), self.index, 0))
+        self.mean = interpolated(self.mean_bare, self.mean_film(False), p.filmWeight)
+        normal = self.colour
+        self.mean_metal = min(1, p.specularWeight) * interpolated(
+            mean_of_dipped(normal, p.specularColor * schlick_of(normal, 1 / 7)), self.mean_film(True), p.filmWeight)
+        self.mean_passed = 2 * sum(weight * self.passed(acos(place)) for place, weight in THREE_PLACES)
+
+    @staticmethod
+    def facets(roughness, anisotropy):
+        along = max(1e-4, roughness ** 2) * sqrt(2 / (1 + (1 - anisotropy) ** 2))
+        across = max(1e-4, along * (1 - anisotropy))
+        return along, across, sqrt((along ** 2 + across ** 2) / 2)
+
+    def mean_film(self, metal):
+        if self.p.filmWeight == 0:
+            return 0
+        return sum(film_reflectance(self.films[metal], acos(sqrt(0.5 + side / sqrt(12)))) for side in (-1, 1)) / 2
+
+    def film(self, bare, angle, metal):
+        if self.p.filmWeight == 0:
+            return bare
+        return interpolated(bare, film_reflectance(self.films[metal], angle), self.p.filmWeight)
+
+    def dielectric(self, angle):
+        return self.film(fresnel(angle, self.index, 0), angle, False)
+
+    def reflecting_metal(self, angle):
+        c = cos(angle)
+        dip = (1 - self.p.specularColor) * schlick_of(self.colour, 1 / 7) / (1 / 7 * (6 / 7) ** 6)
+        tinted = max(0, schlick_of(self.colour, c) - dip * c * (1 - c) ** 6)
+        return min(1, self.p.specularWeight) * self.film(tinted, angle, True)
+
+    def leaves(self, mean):
+        return mean ** 2 * (1 - self.least) / (1 - mean * self.least)
+
+    def passed(self, theta):
+        missing = ggx_missing(theta, self.alpha)
+        reflected = self.dielectric(fresnel_angle(theta, self.alpha))
+        return max(0, 1 - reflected * (1 - missing) - self.leaves(self.mean) * missing)
+
+    def base(self, u, v):
+        p, beta = self.p, angles_of_half(u, v)[2]
+        m = p.metalness
+        value = white_facets(u, v, self.along, self.across, p.rotation) * (
+            (1 - m) * p.specularColor * self.dielectric(beta) + m * self.reflecting_metal(beta))
+        between = (1 - m) * self.leaves(self.mean * p.specularColor) + m * self.leaves(self.mean_metal)
+        value += between * ggx_missing(u.theta, self.alpha) * ggx_missing(v.theta, self.alpha) / (pi * self.least)
+        diffuse = eon(Parameters(rough=p.diffuseRough, kd=self.colour), u, v)
+        return value + (1 - m) * diffuse * self.passed(u.theta) * self.passed(v.theta) / self.mean_passed
+
+    def coat_albedo(self, theta):
+        return fresnel(fresnel_angle(theta, self.coat_alpha), self.p.coatIor, 0) * (1 - ggx_missing(theta, self.coat_alpha))
+
+    def below_coat(self, u, v):
+        p, m = self.p, self.p.metalness
+        normal = self.dielectric(0)
+        base = (1 - m) * (normal * p.specularColor + (1 - normal) * self.colour) + m * self.reflecting_metal(0)
+        smooth = fresnel(angles_of_half(u, v)[2], p.coatIor, 0)
+        outside = mean_of_dipped(fresnel(0, p.coatIor, 0), fresnel(acos(1 / 7), p.coatIor, 0))
+        diffuse = 1 - (1 - outside) / p.coatIor ** 2
+        of_dielectric = interpolated(1, p.roughness, fresnel(0, self.index, 0))
+        inside = interpolated(smooth, diffuse, interpolated(of_dielectric, p.roughness, m))
+        darkening = interpolated(1, (1 - inside) / (1 - base * inside), p.coatWeight * p.coatDarkening)
+        path = sum(1 / cos(asin(sin(w.theta) / p.coatIor)) for w in (u, v)) / 2
+        passed = p.coatColor ** path * (1 - max(self.coat_albedo(w.theta) for w in (u, v)))
+        return darkening * interpolated(1, passed, p.coatWeight)
+
+    def value(self, u, v):
+        p = self.p
+        value = self.base(u, v)
+        if p.coatWeight > 0:
+            value *= self.below_coat(u, v)
+            value += (p.coatWeight * fresnel(angles_of_half(u, v)[2], p.coatIor, 0) *
+                      white_facets(u, v, self.coat_along, self.coat_across, p.rotation))
+        if p.fuzzWeight > 0:
+            value *= 1 - p.fuzzWeight * max(sheen_albedo(cos(w.theta), p.fuzzRoughness) for w in (u, v))
+            value += p.fuzzWeight * sheen(Parameters(rough=p.fuzzRoughness, ks=p.fuzzColor), u, v)
+        return value
+
+
+@functools.lru_cache(maxsize=None)
+def openpbr_of(p):
+    return OpenPbr(p)
+
+
+def openpbr(p, u, v):
+    return openpbr_of(p).value(u, v)
 
 
 def sheen_albedo(c, y):
@@ -433,7 +612,8 @@ def granier(p, u, v):
 COLOURS = ('red', 'green', 'blue')
 FUNCTIONS = {function.__name__: function for function in (
     diffuse, phong, blinn, lewis, ward, minnaert, lafortune, oren, torrance, coupled, ashikhmin, schlick, strauss, neumann,
-    beardmaxwell, kajiya, hanrahan, westin, granier, poulin, he, eon, ggx, sheen, thinfilm, gltf)}
+    beardmaxwell, kajiya, hanrahan, westin, granier, poulin, he, eon, ggx, sheen, thinfilm, gltf,
+    openpbr)}
 FUNCTIONS['specular'] = black
 MIRRORS = {'specular': lambda p, u: p.ks, 'coupled': coupled_mirror, 'schlick': schlick_mirror, 'he': he_mirror,
            'westin': westin_mirror}
@@ -461,14 +641,17 @@ DEFAULTS = {
     'poulin': 'd=2 h=0 n=50 ks=0.5 kd=0.5',
     'he': 'sigma=0.2 tau=2 lambda=(645,525,445) nreal=0 nimag=0 ks=1 kd=0',
     'eon': 'rough=0.5 kd=0.5',
+    'openpbr': 'baseWeight=1 baseColor=0.8 metalness=0 diffuseRough=0 specularWeight=1 specularColor=1 roughness=0.3 '
+               'anisotropy=0 rotation=0 ior=1.5 coatWeight=0 coatColor=1 coatRoughness=0 coatAnisotropy=0 coatIor=1.6 '
+               'coatDarkening=1 fuzzWeight=0 fuzzColor=1 fuzzRoughness=0.5 filmWeight=0 filmThickness=0.5 filmIor=1.4',
     'sheen': 'rough=0.3 ks=1',
     'gltf': 'baseColor=1 metallic=0 roughness=0.5 ior=1.5 specular=1 specularColor=1 anisotropy=0 rotation=0 clearcoat=0 '
-            'coatRoughness=0 sheenColor=0 sheenRoughness=0.3',
+            'coatRoughness=0 sheenColor=0 sheenRoughness=0.3 iridescence=0 iridescenceIor=1.3 filmThickness=400',
     'thinfilm': 'alpha=0.1 ay=@alpha thickness=300 film=1.33 nreal=1.5 nimag=0 ks=1',
     'ggx': 'alpha=0.3 ay=@alpha anisotropy=0 rotation=0 nreal=1.5 nimag=0 F0=0 F82=1 ks=1 scattering=reciprocal',
 }
 ALIASES = {'torrance': {'m': 'rough'}, 'ashikhmin': {'nu': 'ex', 'nv': 'ey', 'ks': 'Rs', 'kd': 'Rd'}, 'coupled': {'Ro': 'R0'},
-           'ggx': {'ax': 'alpha', 'ior': 'nreal'}, 'gltf': {'clearcoatRoughness': 'coatRoughness'}}
+           'ggx': {'ax': 'alpha', 'ior': 'nreal'}, 'gltf': {'clearcoatRoughness': 'coatRoughness', 'iridescenceThicknessMaximum': 'filmThickness'}}
 
 
 def to_float(text):
@@ -519,7 +702,7 @@ class Instance:
             channel['channel'], channel['of_all_channels'] = colour, split
             self.channels.append(channel)
         coloured = any(isinstance(value, tuple) for value in values.values())
-        self.is_grey = not coloured and self.keyword not in ('granier', 'thinfilm')
+        self.is_grey = not coloured and self.keyword not in ('gltf', 'granier', 'openpbr', 'thinfilm')
 
     def by_channel(self, function):
         if self.is_grey:

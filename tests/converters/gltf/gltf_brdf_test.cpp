@@ -121,6 +121,18 @@ TEST(GltfBrdf, HasTheSheen) {
   EXPECT_EQ(clean_brdf_of(dielectric({{"sheen", {{"sheenRoughnessFactor", 0.75}}}})), "gltf");
 }
 
+TEST(GltfBrdf, HasTheFilm) {
+  EXPECT_EQ(clean_brdf_of(dielectric({{"iridescence",
+                                       {{"iridescenceFactor", 0.5},
+                                        {"iridescenceIor", 1.5},
+                                        {"iridescenceThicknessMinimum", 50},
+                                        {"iridescenceThicknessMaximum", 250}}}})),
+            "gltf iridescence=0.5 iridescenceIor=1.5 filmThickness=250");
+  EXPECT_EQ(clean_brdf_of(dielectric({{"iridescence", {{"iridescenceFactor", 1}}}})), "gltf iridescence=1")
+      << "with the defaults of the file";
+  EXPECT_EQ(clean_brdf_of(dielectric({{"iridescence", {{"iridescenceIor", 2}}}})), "gltf");
+}
+
 // glTF 2.0 and its extensions have these ranges.
 TEST(GltfBrdf, HasValuesOutOfRangeClamped) {
   json wild = dielectric({{"ior", {{"ior", 0.5}}},
@@ -157,6 +169,7 @@ TEST(GltfBrdf, LosesTheMapsOfItsExtensions) {
       {"anisotropy", "anisotropyTexture"},        {"clearcoat", "clearcoatTexture"},
       {"clearcoat", "clearcoatRoughnessTexture"}, {"sheen", "sheenColorTexture"},
       {"sheen", "sheenRoughnessTexture"},         {"specular", "specularTexture"},
+      {"iridescence", "iridescenceTexture"},      {"iridescence", "iridescenceThicknessTexture"},
       {"specular", "specularColorTexture"}};
   json all = json::object();
   for (const auto& [extension, map] : maps) {
@@ -216,6 +229,8 @@ const std::vector<std::string>& brdfs() {
       "gltf clearcoat=0.6 coatRoughness=0.2",
       "gltf sheenColor=(0.1, 0.2, 0.3)",
       "gltf sheenColor=(0.1, 0.2, 0.3) sheenRoughness=0.01",
+      "gltf iridescence=0.7",
+      "gltf metallic=1 iridescence=1 iridescenceIor=1.77 filmThickness=312.5",
       "gltf baseColor=0.5 metallic=0.3 roughness=0.7 ior=1.8 specular=0.9 specularColor=(0.7, 0.8, 0.9) "
       "anisotropy=0.4 rotation=1.1 clearcoat=0.2 coatRoughness=0.1 sheenColor=0.3 sheenRoughness=0.6",
   };
@@ -242,14 +257,15 @@ TEST(GltfBrdf, UsesTheExtensionsOfItsValuesAlone) {
                                                                      {"specularColor=0.5", "specular"},
                                                                      {"anisotropy=0.5", "anisotropy"},
                                                                      {"clearcoat=0.5", "clearcoat"},
-                                                                     {"sheenColor=0.5", "sheen"}};
+                                                                     {"sheenColor=0.5", "sheen"},
+                                                                     {"iridescence=0.5", "iridescence"}};
   for (const auto& [argument, extension] : expected) {
     const json file = written("brdf gltf " + argument);
     EXPECT_EQ(file["extensionsUsed"], json::array({"KHR_materials_" + extension})) << argument;
     EXPECT_EQ(file["materials"][0]["extensions"].size(), 1U) << argument;
   }
-  EXPECT_FALSE(
-      written("brdf gltf rotation=1 coatRoughness=0.5 sheenRoughness=0.5").contains("extensionsUsed"))
+  EXPECT_FALSE(written("brdf gltf rotation=1 coatRoughness=0.5 sheenRoughness=0.5 filmThickness=90")
+                   .contains("extensionsUsed"))
       << "values without an effect";
 }
 
@@ -262,18 +278,22 @@ TEST(GltfBrdf, HasTheColourOfTheFaceInItsBase) {
 TEST(GltfBrdf, InExtrasIsUsedUnlessAValueOfItsMaterialChanged) {
   const std::string text =
       "gltf rotation=0.5 coatRoughness=0.5 roughness=0.3 ior=1.8 specular=0.9 specularColor=0.7 "
-      "anisotropy=0.4 clearcoat=0.2 sheenColor=0.3 sheenRoughness=0.6";
+      "anisotropy=0.4 clearcoat=0.2 sheenColor=0.3 sheenRoughness=0.6 iridescence=0.5 filmThickness=123.4567";
   const json file = written("brdf " + text);
   const Reading same = read_bare(file, true);
   EXPECT_EQ(grf::to_text(model_of(same)), text) << "in its order of arguments";
   EXPECT_THAT(same.text(), IsEmpty());
-  const std::vector<std::pair<std::string, std::string>> values = {{"ior", "ior"},
-                                                                   {"specular", "specularFactor"},
-                                                                   {"anisotropy", "anisotropyStrength"},
-                                                                   {"anisotropy", "anisotropyRotation"},
-                                                                   {"clearcoat", "clearcoatFactor"},
-                                                                   {"clearcoat", "clearcoatRoughnessFactor"},
-                                                                   {"sheen", "sheenRoughnessFactor"}};
+  const std::vector<std::pair<std::string, std::string>> values = {
+      {"ior", "ior"},
+      {"specular", "specularFactor"},
+      {"anisotropy", "anisotropyStrength"},
+      {"anisotropy", "anisotropyRotation"},
+      {"clearcoat", "clearcoatFactor"},
+      {"clearcoat", "clearcoatRoughnessFactor"},
+      {"sheen", "sheenRoughnessFactor"},
+      {"iridescence", "iridescenceFactor"},
+      {"iridescence", "iridescenceIor"},
+      {"iridescence", "iridescenceThicknessMaximum"}};
   for (const auto& [extension, value] : values) {
     json changed = file;
     json& number = changed["materials"][0]["extensions"]["KHR_materials_" + extension][value];
@@ -282,7 +302,7 @@ TEST(GltfBrdf, InExtrasIsUsedUnlessAValueOfItsMaterialChanged) {
     EXPECT_THAT(reading.text(), HasSubstr("1 material was changed")) << value;
     EXPECT_NE(grf::to_text(model_of(reading)), text) << value;
   }
-  for (const std::string extension : {"ior", "specular", "anisotropy", "clearcoat", "sheen"}) {
+  for (const std::string extension : {"ior", "specular", "anisotropy", "clearcoat", "sheen", "iridescence"}) {
     json without = file;
     without["materials"][0]["extensions"].erase("KHR_materials_" + extension);
     EXPECT_THAT(read_bare(without, true).text(), HasSubstr("1 material was changed")) << extension;
@@ -376,12 +396,29 @@ TEST(GltfBrdf, OfASmoothMetalReflectsItsColour) {
   EXPECT_NEAR(f.z / f.x, (0.3 + 0.7 * schlick) / (0.9 + 0.1 * schlick), 1e-4);
 }
 
+// KHR_materials_iridescence: the film is between air and a dielectric of the same reflectance. Where it is a
+// quarter of a wavelength thick, both reflections differ by half a wave (Born and Wolf, "Principles of
+// Optics", 1.6).
+TEST(GltfBrdf, OfAFilmReflectsLessWhereWavesCancel) {
+  json material = {
+      {"pbrMetallicRoughness", {{"baseColorFactor", {0.16, 0.16, 0.16, 1}}, {"roughnessFactor", 0.1}}}};
+  const Vec3f u = direction(0.02, 0);
+  const double bare = reflectance_of(material, u, u).y;
+  const double film = 1.5;
+  const double base = (1 + 0.4) / (1 - 0.4);  // the index of refraction whose reflectance is 0.16
+  material["extensions"]["KHR_materials_iridescence"] = {
+      {"iridescenceFactor", 1}, {"iridescenceIor", film}, {"iridescenceThicknessMaximum", 545 / film / 4}};
+  const double cancelled = std::pow((film * film - base) / (film * film + base), 2);
+  // Green has other wavelengths, too, which cancel less.
+  EXPECT_NEAR(reflectance_of(material, u, u).y / bare * 0.16, cancelled, 0.004);
+}
+
 // Converters know no catalogue, so that they have names, defaults and ranges a second time.
 TEST(GltfBrdf, HasTheParametersOfTheModel) {
   const grf::Catalogue catalogue = reflectance::catalogue();
   const grf::ModelInfo* info = grf::find_model(catalogue.brdfs, "gltf");
   ASSERT_NE(info, nullptr);
-  EXPECT_EQ(info->parameters.size(), 12U);
+  EXPECT_EQ(info->parameters.size(), 15U);
   std::string defaults = "gltf";
   for (const grf::ParameterInfo& parameter : info->parameters) {
     defaults += fmt::format(" {}={}", parameter.name, parameter.default_value);
@@ -392,8 +429,8 @@ TEST(GltfBrdf, HasTheParametersOfTheModel) {
       // With all layers, each value has an effect.
       std::string expected = "gltf";
       for (const grf::ParameterInfo& other : info->parameters) {
-        const bool is_needed =
-            other.name == "anisotropy" || other.name == "clearcoat" || other.name == "sheenColor";
+        const bool is_needed = other.name == "anisotropy" || other.name == "clearcoat" ||
+                               other.name == "sheenColor" || other.name == "iridescence";
         if (other.name == parameter.name) {
           if (limit != parameter.default_value) expected += fmt::format(" {}={}", other.name, limit);
         } else if (is_needed) {

@@ -110,9 +110,10 @@ TEST(BrdfLibrary, IsSearched) {
   QTest::keyClicks(search, "copp");
   int shown = 0;
   for (int i = 0; i < library.list().count(); ++i) shown += library.list().item(i)->isHidden() ? 0 : 1;
-  EXPECT_EQ(shown, 2);
+  EXPECT_EQ(shown, 3);
   EXPECT_FALSE(library.list().item(row_of(library.list(), "copper"))->isHidden());
   EXPECT_FALSE(library.list().item(row_of(library.list(), "polished copper"))->isHidden());
+  EXPECT_FALSE(library.list().item(row_of(library.list(), "lacquered copper"))->isHidden());
 }
 
 TEST(BrdfLibrary, KeepsRenamesAndRemoves) {
