@@ -1,5 +1,8 @@
 // Evaluates what facets reflect under a thin film, by the interference of the light that both of its sides reflect
 // (Airy's sum), for unpolarised light at 28 wavelengths.
+//
+// Drivers inline each call of `film_reflectance`, and then take a second to compile it: models call it in loops over
+// angles and bases, and not once for each.
 
 // The reflection of one polarisation: its amplitudes at the film's front, and at the base by channel.
 struct FilmSides {
@@ -148,8 +151,7 @@ vec3 film_colour(int i) {
 }
 
 // Returns the reflectance for light at the angle of this cosine and squared sine, of a film this many
-// nanometres thick. Colours beyond linear sRGB are clamped. A loop, as drivers inline each call: written out, the
-// sum took them minutes to compile.
+// nanometres thick. Colours beyond linear sRGB are clamped.
 vec3 film_reflectance(real c, real s2, real thickness, real film, vec3 n, vec3 k) {
   real normal = sqrt((film - 1) * (film + 1) + c * c);
   FilmSides s = film_sides(c, s2, normal, film, n, k, false);
@@ -165,9 +167,13 @@ vec3 film_reflectance(real c, real s2, real thickness, real film, vec3 n, vec3 k
 // Returns the mean over the hemisphere, weighted by the cosine: by the Gauss-Legendre rule of two values of
 // its square.
 vec3 film_mean(real thickness, real film, vec3 n, vec3 k) {
-  vec3 flat_half = film_reflectance(real(0.45970084f), real(0.78867513f), thickness, film, n, k);
-  vec3 steep_half = film_reflectance(real(0.88807383f), real(0.21132487f), thickness, film, n, k);
-  return (flat_half + steep_half) * real(0.5f);
+  vec3 sum = vec3(0);
+  for (int i = 0; i < 2; ++i) {
+    bool is_flat = i == 0;
+    sum = sum + film_reflectance(is_flat ? real(0.45970084f) : real(0.88807383f),
+                                 is_flat ? real(0.78867513f) : real(0.21132487f), thickness, film, n, k);
+  }
+  return sum * real(0.5f);
 }
 
 // Returns the reflectance of a facet that reflects v to u.

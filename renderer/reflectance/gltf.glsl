@@ -55,11 +55,43 @@ real gltf_albedo(real c, real alpha, real normal, real grazing, real further) {
 
 real gltf_coat_albedo(real c, real alpha) { return gltf_albedo(c, alpha, real(0.04f), real(1), real(0)); }
 
-// Returns what depends on the parameters alone: the factor of the lobe of light between facets.
-vec3 gltf_further(vec3 base, real metallic, vec3 normal, real specular, real alpha, vec3 film) {
-  vec3 of_metal = ggx_further(gltf_mean_reflectance(base, real(1), film), alpha);
-  vec3 of_dielectric = ggx_further(gltf_mean_reflectance(normal, specular, film), alpha);
-  return mixed(of_dielectric, of_metal, metallic);
+// Values for the facets of the metal and for those of the dielectric.
+struct GltfFacets {
+  vec3 metal;
+  vec3 dielectric;
+};
+
+// Returns the reflectances at an angle of this cosine and squared sine.
+GltfFacets gltf_reflectances(vec3 base, vec3 normal, real specular, real c, real s2, vec3 film) {
+  GltfFacets facets;
+  facets.metal = vec3(0);
+  facets.dielectric = vec3(0);
+  for (int i = 0; i < 2; ++i) {
+    bool is_metal = i == 0;
+    vec3 value = gltf_reflectance(is_metal ? base : normal, is_metal ? real(1) : specular, c, s2, film);
+    if (is_metal) facets.metal = value;
+    if (!is_metal) facets.dielectric = value;
+  }
+  return facets;
+}
+
+// Returns their means over the hemisphere, weighted by the cosine.
+GltfFacets gltf_mean_reflectances(vec3 base, vec3 normal, real specular, vec3 film) {
+  GltfFacets facets;
+  facets.metal = vec3(0);
+  facets.dielectric = vec3(0);
+  for (int i = 0; i < 2; ++i) {
+    bool is_metal = i == 0;
+    vec3 value = gltf_mean_reflectance(is_metal ? base : normal, is_metal ? real(1) : specular, film);
+    if (is_metal) facets.metal = value;
+    if (!is_metal) facets.dielectric = value;
+  }
+  return facets;
+}
+
+// Returns the factor of the lobe of light between facets, by their mean reflectances.
+vec3 gltf_further(GltfFacets means, real metallic, real alpha) {
+  return mixed(ggx_further(means.dielectric, alpha), ggx_further(means.metal, alpha), metallic);
 }
 
 // Returns what the dielectric's facets transmit of light from this angle, 1 less their albedo in its largest channel.
@@ -72,12 +104,12 @@ real gltf_transmitted(real c, real alpha, vec3 normal, real specular, vec3 diele
 }
 
 // Returns the dielectric's largest reflectance at normal incidence, the part of light between its facets that
-// leaves, and the mean over the hemisphere of what it transmits.
-vec3 gltf_dielectric(vec3 normal, real specular, real alpha, vec3 film) {
+// leaves, and the mean over the hemisphere of what it transmits. `mean_reflectance` is that of its facets.
+vec3 gltf_dielectric(vec3 normal, real specular, vec3 mean_reflectance, real alpha, vec3 film) {
   real largest = largest_channel(normal);
   real missing = ggx_mean_missing(alpha);
   real mean_value = largest + (specular - largest) / real(21);
-  if (film.x > 0) mean_value = largest_channel(gltf_mean_reflectance(normal, specular, film));
+  if (film.x > 0) mean_value = largest_channel(mean_reflectance);
   real further = mean_value * mean_value * (1 - missing) / (1 - mean_value * missing);
   if (film.x == 0) {
     real albedo = largest * (1 - missing) + (specular - largest) * ggx_mean_grazing(alpha) + further * missing;
@@ -85,26 +117,26 @@ vec3 gltf_dielectric(vec3 normal, real specular, real alpha, vec3 film) {
   }
   vec3 partial = vec3(largest, further, 1);
   vec3 cosines = hemisphere_cosines();
-  vec3 transmitted = vec3(gltf_transmitted(cosines.x, alpha, normal, specular, partial, film),
-                          gltf_transmitted(cosines.y, alpha, normal, specular, partial, film),
-                          gltf_transmitted(cosines.z, alpha, normal, specular, partial, film));
-  transmitted = transmitted * hemisphere_weights();
-  return vec3(largest, further, transmitted.x + transmitted.y + transmitted.z);
+  vec3 weights = hemisphere_weights();
+  real transmitted = real(0);
+  for (int i = 0; i < 3; ++i) {
+    transmitted += gltf_transmitted(cosines[i], alpha, normal, specular, partial, film) * weights[i];
+  }
+  return vec3(largest, further, transmitted);
 }
 
 // Evaluates the base: facets, the light between them, and the diffuse part below those of the dielectric.
 vec3 gltf_base(vec3 u, vec3 v, vec3 rough, real rotation, vec3 base, real metallic, vec3 normal, real specular,
                vec3 film, vec3 further, vec3 dielectric) {
   real alpha = rough.z;
-  real c = cosine_at_half(u, v);
-  real s2 = squared_sine_at_half(u, v);
-  vec3 of_metal = gltf_reflectance(base, real(1), c, s2, film);
-  vec3 of_dielectric = gltf_reflectance(normal, specular, c, s2, film);
-  vec3 value = mixed(of_dielectric, of_metal, metallic) * ggx_facets(u, v, rough, rotation);
+  GltfFacets facets = gltf_reflectances(base, normal, specular, cosine_at_half(u, v), squared_sine_at_half(u, v), film);
+  vec3 value = mixed(facets.dielectric, facets.metal, metallic) * ggx_facets(u, v, rough, rotation);
   value = value + further * ggx_further_lobe(u, v, alpha);
   if (metallic == 1) return value;
-  real transmitted = gltf_transmitted(u.z, alpha, normal, specular, dielectric, film) *
-                     gltf_transmitted(v.z, alpha, normal, specular, dielectric, film);
+  real transmitted = real(1);
+  for (int i = 0; i < 2; ++i) {
+    transmitted *= gltf_transmitted(i == 0 ? u.z : v.z, alpha, normal, specular, dielectric, film);
+  }
   return value + base * ((1 - metallic) * transmitted / (PI * max(real(1e-4f), dielectric.z)));
 }
 
@@ -135,8 +167,9 @@ vec3 gltf(vec3 u, vec3 v, vec3 base, real metallic, real roughness, real ior, re
   vec3 rough = gltf_rough(roughness, anisotropy);
   vec3 normal = gltf_normal(ior, specular, specular_colour);
   vec3 film = vec3(iridescence, film_index, film_nanometres);
+  GltfFacets means = gltf_mean_reflectances(base, normal, specular, film);
   return gltf_prepared(u, v, rough, rotation, base, metallic, normal, specular, clearcoat,
                        gltf_rough(coat_roughness, real(0)), sheen_colour, sheen_roughness, film,
-                       gltf_further(base, metallic, normal, specular, rough.z, film),
-                       gltf_dielectric(normal, specular, rough.z, film));
+                       gltf_further(means, metallic, rough.z),
+                       gltf_dielectric(normal, specular, means.dielectric, rough.z, film));
 }

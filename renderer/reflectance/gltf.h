@@ -102,12 +102,13 @@ Ec, Es, Ed: albedos of the coat, the fibres and the dielectric;  Em: the mean of
     rough_ = Formula().gltf_rough(roughness, anisotropy);
     normal_ = Formula().gltf_normal(ior, specular, specular_colour);
     film_ = Rgb(iridescence, iridescence_ior, film_thickness);
-    further_ = Formula().gltf_further(base, metallic, normal_, specular, rough_.z, film_);
-    dielectric_ = Formula().gltf_dielectric(normal_, specular, rough_.z, film_);
+    const auto means = Formula().gltf_mean_reflectances(base, normal_, specular, film_);
+    further_ = Formula().gltf_further(means, metallic, rough_.z);
+    dielectric_ = Formula().gltf_dielectric(normal_, specular, means.dielectric, rough_.z, film_);
     at_normal_ = of_facets(normal_, base);
     if (iridescence > 0) {
-      at_normal_ = of_facets(Formula().gltf_reflectance(normal_, specular, 1, 0, film_),
-                             Formula().gltf_reflectance(base, 1, 1, 0, film_));
+      const auto facets = Formula().gltf_reflectances(base, normal_, specular, 1, 0, film_);
+      at_normal_ = of_facets(facets.dielectric, facets.metal);
     }
     coat_rough_ = Formula().gltf_rough(coat_roughness, 0);
   }

@@ -57,35 +57,64 @@ real openpbr_metal_imaginary(real n, real root, real tint) {
   return sqrt(2 * tint * root * least / ((1 + root * root) * (1 - root)));
 }
 
-// Returns the reflectance of the dielectric's facets, without tint, at an angle of this cosine and squared sine.
-vec3 openpbr_dielectric(real c, real s2, OpenPbrSurface s) {
-  vec3 bare = vec3(fresnel_of_excess(c, s2, s.excess));
-  if (s.film_weight == 0) return bare;
-  vec3 covered = film_reflectance(c, s2, s.film_nanometres, s.film_index, vec3(s.index), vec3(0));
-  return mixed(bare, covered, s.film_weight);
+// Returns the reflectance of the facets of the metal, or of the dielectric without tint, at an angle of this cosine and
+// squared sine.
+vec3 openpbr_reflectance(bool is_metal, real c, real s2, OpenPbrSurface s) {
+  vec3 value = is_metal ? ggx_tinted(s.base, s.dip, c) : vec3(fresnel_of_excess(c, s2, s.excess));
+  if (s.film_weight > 0) {
+    vec3 covered = film_reflectance(c, s2, s.film_nanometres, s.film_index, is_metal ? s.metal_real : vec3(s.index),
+                                    is_metal ? s.metal_imaginary : vec3(0));
+    value = mixed(value, covered, s.film_weight);
+  }
+  return is_metal ? value * s.metal_weight : value;
 }
 
-// Returns the reflectance of the metal's facets.
-vec3 openpbr_metal(real c, real s2, OpenPbrSurface s) {
-  vec3 bare = ggx_tinted(s.base, s.dip, c);
-  if (s.film_weight == 0) return bare * s.metal_weight;
-  vec3 covered = film_reflectance(c, s2, s.film_nanometres, s.film_index, s.metal_real, s.metal_imaginary);
-  return mixed(bare, covered, s.film_weight) * s.metal_weight;
-}
-
-// Returns the means of both over the hemisphere, weighted by the cosine.
-vec3 openpbr_mean_dielectric(OpenPbrSurface s) {
+// Returns the mean of that over the hemisphere, weighted by the cosine.
+vec3 openpbr_mean_reflectance(bool is_metal, OpenPbrSurface s) {
   vec3 normal = vec3(fresnel_of_excess(real(1), real(0), s.excess));
   vec3 at_82 = vec3(fresnel_of_excess(real(1) / 7, real(48) / 49, s.excess));
-  vec3 bare = ggx_mean_tinted(normal, ggx_dip(normal, at_82));
-  if (s.film_weight == 0) return bare;
-  return mixed(bare, film_mean(s.film_nanometres, s.film_index, vec3(s.index), vec3(0)), s.film_weight);
+  vec3 value = is_metal ? ggx_mean_tinted(s.base, s.dip) : ggx_mean_tinted(normal, ggx_dip(normal, at_82));
+  if (s.film_weight > 0) {
+    vec3 covered = film_mean(s.film_nanometres, s.film_index, is_metal ? s.metal_real : vec3(s.index),
+                             is_metal ? s.metal_imaginary : vec3(0));
+    value = mixed(value, covered, s.film_weight);
+  }
+  return is_metal ? value * s.metal_weight : value;
 }
-vec3 openpbr_mean_metal(OpenPbrSurface s) {
-  vec3 bare = ggx_mean_tinted(s.base, s.dip);
-  if (s.film_weight == 0) return bare * s.metal_weight;
-  vec3 covered = film_mean(s.film_nanometres, s.film_index, s.metal_real, s.metal_imaginary);
-  return mixed(bare, covered, s.film_weight) * s.metal_weight;
+
+// Values for the facets of the metal and for those of the dielectric.
+struct OpenPbrFacets {
+  vec3 metal;
+  vec3 dielectric;
+};
+
+// Returns the reflectances at an angle of this cosine and squared sine; 0 for what the surface has nothing of.
+OpenPbrFacets openpbr_reflectances(real c, real s2, OpenPbrSurface s) {
+  OpenPbrFacets facets;
+  facets.metal = vec3(0);
+  facets.dielectric = vec3(0);
+  for (int i = 0; i < 2; ++i) {
+    bool is_metal = i == 0;
+    if (s.metalness == (is_metal ? real(0) : real(1))) continue;
+    vec3 value = openpbr_reflectance(is_metal, c, s2, s);
+    if (is_metal) facets.metal = value;
+    if (!is_metal) facets.dielectric = value;
+  }
+  return facets;
+}
+
+// Returns their means over the hemisphere, weighted by the cosine.
+OpenPbrFacets openpbr_mean_reflectances(OpenPbrSurface s) {
+  OpenPbrFacets facets;
+  facets.metal = vec3(0);
+  facets.dielectric = vec3(0);
+  for (int i = 0; i < 2; ++i) {
+    bool is_metal = i == 0;
+    vec3 value = openpbr_mean_reflectance(is_metal, s);
+    if (is_metal) facets.metal = value;
+    if (!is_metal) facets.dielectric = value;
+  }
+  return facets;
 }
 
 // Returns what the dielectric's facets transmit of light from this angle, 1 less their albedo.
@@ -93,7 +122,7 @@ vec3 openpbr_transmitted(real c, OpenPbrSurface s) {
   real alpha = s.rough.z;
   real missing = ggx_missing(c, alpha);
   real facet = ggx_fresnel_cosine(c, alpha);
-  vec3 reflected = openpbr_dielectric(facet, (1 - facet) * (1 + facet), s);
+  vec3 reflected = openpbr_reflectance(false, facet, (1 - facet) * (1 + facet), s);
   return max(vec3(1) - reflected * (1 - missing) - s.between * missing, real(0));
 }
 
@@ -101,8 +130,9 @@ vec3 openpbr_transmitted(real c, OpenPbrSurface s) {
 vec3 openpbr_mean_transmitted(OpenPbrSurface s) {
   vec3 cosines = hemisphere_cosines();
   vec3 weights = hemisphere_weights();
-  return openpbr_transmitted(cosines.x, s) * weights.x + openpbr_transmitted(cosines.y, s) * weights.y +
-         openpbr_transmitted(cosines.z, s) * weights.z;
+  vec3 sum = vec3(0);
+  for (int i = 0; i < 3; ++i) sum = sum + openpbr_transmitted(cosines[i], s) * weights[i];
+  return sum;
 }
 
 // Returns the albedo of the coat's facets.
@@ -165,20 +195,18 @@ OpenPbrSurface openpbr_surface(real base_weight, vec3 base_colour, real metalnes
                            openpbr_metal_imaginary(s.metal_real.y, root.y, specular_colour.y),
                            openpbr_metal_imaginary(s.metal_real.z, root.z, specular_colour.z));
   real missing = ggx_mean_missing(s.rough.z);
-  vec3 mean_dielectric = openpbr_mean_dielectric(s);
-  s.further = mixed(ggx_further(mean_dielectric * s.tint, s.rough.z), ggx_further(openpbr_mean_metal(s), s.rough.z),
-                    metalness);
-  s.between = mean_dielectric * mean_dielectric * (1 - missing) / (vec3(1) - mean_dielectric * missing);
+  OpenPbrFacets means = openpbr_mean_reflectances(s);
+  s.further = mixed(ggx_further(means.dielectric * s.tint, s.rough.z), ggx_further(means.metal, s.rough.z), metalness);
+  s.between = means.dielectric * means.dielectric * (1 - missing) / (vec3(1) - means.dielectric * missing);
   s.transmitted = openpbr_mean_transmitted(s);
-  vec3 of_dielectric = openpbr_dielectric(real(1), real(0), s);
-  vec3 of_metal = openpbr_metal(real(1), real(0), s);
-  s.normal = mixed(of_dielectric * s.tint, of_metal, metalness);
+  OpenPbrFacets facets = openpbr_reflectances(real(1), real(0), s);
+  s.normal = mixed(facets.dielectric * s.tint, facets.metal, metalness);
   s.coat_weight = coat_weight;
   s.coat_index = coat_index;
   s.coat_rough = openpbr_rough(coat_roughness, coat_anisotropy);
   vec3 clear = max(coat_colour, real(1e-30f));
   s.coat_absorption = vec3(-log(clear.x), -log(clear.y), -log(clear.z));
-  s.below_coat = mixed(of_dielectric * s.tint + (vec3(1) - of_dielectric) * s.base, of_metal, metalness);
+  s.below_coat = mixed(facets.dielectric * s.tint + (vec3(1) - facets.dielectric) * s.base, facets.metal, metalness);
   s.coat_inside = openpbr_coat_inside(coat_index);
   s.coat_diffuse = (1 + (roughness - 1) * normal * normal) * (1 - metalness) + roughness * metalness;
   s.coat_darkening = coat_darkening;
@@ -190,14 +218,12 @@ OpenPbrSurface openpbr_surface(real base_weight, vec3 base_colour, real metalnes
 
 // Evaluates the base: facets, the light between them, and the diffuse part below those of the dielectric.
 vec3 openpbr_base(vec3 u, vec3 v, OpenPbrSurface s) {
-  real c = cosine_at_half(u, v);
-  real s2 = squared_sine_at_half(u, v);
-  vec3 facets = vec3(0);
-  if (s.metalness < 1) facets = openpbr_dielectric(c, s2, s) * s.tint * (1 - s.metalness);
-  if (s.metalness > 0) facets = facets + openpbr_metal(c, s2, s) * s.metalness;
-  vec3 value = facets * ggx_facets(u, v, s.rough, s.rotation) + s.further * ggx_further_lobe(u, v, s.rough.z);
+  OpenPbrFacets facets = openpbr_reflectances(cosine_at_half(u, v), squared_sine_at_half(u, v), s);
+  vec3 value = mixed(facets.dielectric * s.tint, facets.metal, s.metalness) * ggx_facets(u, v, s.rough, s.rotation) +
+               s.further * ggx_further_lobe(u, v, s.rough.z);
   if (s.metalness == 1 || largest_channel(s.base) == 0) return value;
-  vec3 transmitted = openpbr_transmitted(u.z, s) * openpbr_transmitted(v.z, s) / max(s.transmitted, real(1e-4f));
+  vec3 transmitted = vec3(1) / max(s.transmitted, real(1e-4f));
+  for (int i = 0; i < 2; ++i) transmitted = transmitted * openpbr_transmitted(i == 0 ? u.z : v.z, s);
   return value + eon_value(u, v, s.diffuse_roughness, s.base) * transmitted * (1 - s.metalness);
 }
 
