@@ -170,6 +170,7 @@ class Downgrade {
     for (std::uint32_t i = 0; i < mesh.face_count(); ++i) {
       (emits(mesh.surface(i)) ? emitting : reflecting).push_back(i);
     }
+    report_opacity(mesh, location);
     Parts parts;
     if (!emitting.empty()) parts.light = light_of(mesh, emitting, location);
     if (parts.light && reflecting.empty()) {
@@ -207,11 +208,24 @@ class Downgrade {
       kept.insert(kept.begin(), comments.before.begin(), comments.before.end());
       comments = {};
     };
+    keep(own.opacity.has_value(), mesh.comments.opacity);
     keep(own.emission.has_value(), mesh.comments.emission);
     keep(own.texture.has_value(), mesh.comments.texture);
     keep(own.pdf.has_value(), mesh.comments.pdf);
     keep(own.brdf.has_value(), mesh.comments.brdf);
     keep(own.colour.has_value(), mesh.comments.colour);
+  }
+
+  // An opacity of 1 is the default.
+  void report_opacity(const grf::Mesh& mesh, const grf::SourceLocation& location) {
+    for (std::size_t i = 0; i < mesh.face_count(); ++i) {
+      const grf::Surface& surface = mesh.surface(i);
+      if (!surface.opacity || *surface.opacity == grf::Opacity()) continue;
+      diagnostics_.error(surface.location.file ? surface.location : location,
+                         fmt::format("face {} has '{}', which the grammar of 2008 lacks", i,
+                                     grf::to_text(*surface.opacity)));
+      return;
+    }
   }
 
   static bool emits(const grf::Surface& surface) {
@@ -283,6 +297,7 @@ class Downgrade {
   void downgrade(grf::Surface& surface) {
     if (surface.emission && !surface.brdf) surface.brdf = black();
     surface.emission.reset();
+    surface.opacity.reset();
     if (surface.brdf) downgrade_model<grf::BrdfModel>(*surface.brdf);
     if (surface.pdf) downgrade_model<grf::PdfModel>(*surface.pdf);
   }

@@ -91,6 +91,7 @@ class Check {
       check_colour_attribute(surface.colour, place, scope);
       check_texture(surface.texture, place, scope);
       if (surface.emission) check_not_negative(*surface.emission, place, "radiance");
+      if (surface.opacity) check_opacity(surface, place);
     }
     check_vertices(mesh, location);
     warn_of_default(mesh, location);
@@ -281,6 +282,16 @@ class Check {
     std::error_code error;
     if (std::filesystem::is_regular_file(path, error) || !known_images_.insert(path).second) return;
     diagnostics_.warning(place, fmt::format("there is no image '{}'", path));
+  }
+
+  void check_opacity(const Surface& surface, const SourceLocation& place) {
+    const Opacity& opacity = *surface.opacity;
+    if (!(opacity.value >= 0 && opacity.value <= 1)) {
+      diagnostics_.error(place, fmt::format("'{}', expected a number from 0 to 1", to_text(opacity)));
+    } else if (opacity.reads_alpha() && !surface.texture) {
+      diagnostics_.warning(
+          place, fmt::format("'{}' without a texture, whose alpha it uses: alpha is 1", to_text(opacity)));
+    }
   }
 
   template <class Body>

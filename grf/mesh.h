@@ -29,9 +29,9 @@ using Irradiance = std::variant<Colour, std::vector<DirectionalIrradiance>>;
 
 /// Comments inside a mesh. Those inside the lists of vertices and faces are not kept.
 struct MeshComments {
-  Comments colour, brdf, pdf, texture, emission;  ///< of the mesh's own attributes
-  Comments vertices, faces;                       ///< of the two lists as a whole
-  std::vector<std::string> end;                   ///< before `end mesh`
+  Comments colour, brdf, pdf, texture, emission, opacity;  ///< of the mesh's own attributes
+  Comments vertices, faces;                                ///< of the two lists as a whole
+  std::vector<std::string> end;                            ///< before `end mesh`
 
   bool operator==(const MeshComments&) const = default;
 };

@@ -152,6 +152,7 @@ class Parser {
   bool is_attribute(const Token& token) const;
   bool parse_attribute(Surface& surface, MeshKind kind, bool reset_allowed);
   bool parse_emission(std::optional<Colour>& emission);
+  bool parse_opacity(std::optional<Opacity>& opacity);
   bool parse_colour_attribute(std::optional<ColourAttribute>& attribute);
   bool parse_texture_attribute(std::optional<TextureAttribute>& attribute);
   template <class Body>

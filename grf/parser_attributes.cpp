@@ -11,7 +11,7 @@ bool Parser::is_attribute(const Token& token) const {
   return token.kind == TokenKind::Word &&
          (is_colour_keyword(token.text) || same_keyword(token.text, "brdf") ||
           same_keyword(token.text, "pdf") || same_keyword(token.text, "texture") ||
-          same_keyword(token.text, "light"));
+          same_keyword(token.text, "light") || same_keyword(token.text, "opacity"));
 }
 
 Comments* Parser::comments_of_attribute(MeshDraft& mesh, const Token& keyword) const {
@@ -19,6 +19,7 @@ Comments* Parser::comments_of_attribute(MeshDraft& mesh, const Token& keyword) c
   if (same_keyword(keyword.text, "pdf")) return &mesh.comments.pdf;
   if (same_keyword(keyword.text, "texture")) return &mesh.comments.texture;
   if (same_keyword(keyword.text, "light")) return &mesh.comments.emission;
+  if (same_keyword(keyword.text, "opacity")) return &mesh.comments.opacity;
   return &mesh.comments.colour;
 }
 
@@ -49,12 +50,26 @@ bool Parser::parse_attribute(Surface& surface, MeshKind kind, bool reset_allowed
     return parse(surface.texture, &Parser::parse_texture_attribute);
   }
   if (same_keyword(keyword.text, "light")) return parse(surface.emission, &Parser::parse_emission);
+  if (same_keyword(keyword.text, "opacity")) return parse(surface.opacity, &Parser::parse_opacity);
   return parse(surface.colour, &Parser::parse_colour_attribute);
 }
 
 bool Parser::parse_emission(std::optional<Colour>& emission) {
   if (!accept_colour()) return fail_expected("'rgb' and the emitted radiance");
   return parse_vector(emission.emplace(0.0F));
+}
+
+// The cutoff and the factor are never left out: the number of corners of a face can follow.
+bool Parser::parse_opacity(std::optional<Opacity>& opacity) {
+  Opacity& given = opacity.emplace();
+  if (accept("mask")) {
+    given.kind = Opacity::Kind::Mask;
+  } else if (accept("blend")) {
+    given.kind = Opacity::Kind::Blend;
+  } else if (lexer_.peek().kind != TokenKind::Number) {
+    return fail_expected("a number, 'mask' and a cutoff, or 'blend' and a factor");
+  }
+  return parse_number(given.value);
 }
 
 bool Parser::parse_colour_attribute(std::optional<ColourAttribute>& attribute) {

@@ -22,6 +22,7 @@ class Key {
     add(surface.pdf);
     add(surface.texture);
     add(surface.emission);
+    add(surface.opacity);
   }
 
   std::string bytes;
@@ -43,6 +44,10 @@ class Key {
   void add(const Texture& texture) { add_name(texture.file); }
   void add(const Colour& colour) {
     for (const float component : {colour.x, colour.y, colour.z}) add(component);
+  }
+  void add(const Opacity& opacity) {
+    add_number(opacity.kind);
+    add(opacity.value);
   }
   void add(const Model& model) {
     add_keyword(model.keyword);

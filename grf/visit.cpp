@@ -221,6 +221,11 @@ ResolvedSurface resolve(const Surface& surface, const Scope& scope) {
   resolved.pdf = look_up(surface.pdf, scope);
   resolved.texture = look_up(surface.texture, scope);
   resolved.emission = surface.emission;
+  resolved.opacity = surface.opacity.value_or(Opacity());
+  if (resolved.opacity.reads_alpha() && resolved.texture == nullptr) {
+    const bool is_mask = resolved.opacity.kind == Opacity::Kind::Mask;
+    resolved.opacity = {Opacity::Kind::Number, is_mask ? 1 : resolved.opacity.value};  // alpha is 1
+  }
   return resolved;
 }
 

@@ -133,6 +133,7 @@ struct ResolvedSurface {
   const PdfModel* pdf = nullptr;
   const Texture* texture = nullptr;
   std::optional<Colour> emission;
+  Opacity opacity;  ///< reads alpha only if there is a texture: without one, alpha is 1
 };
 
 ResolvedSurface resolve(const Surface& surface, const Scope& scope);

@@ -15,6 +15,9 @@ std::string to_text(const Scene& scene);
 std::string to_text(const BrdfModel& brdf);
 std::string to_text(const PdfModel& pdf);
 
+/// Returns the text of the attribute, with its keyword.
+std::string to_text(const Opacity& opacity);
+
 /// Replaces typographic quotes by plain ones in a text that has both, as writing does: a string stands
 /// between quotes of one kind, and cannot have both. Readers of other formats name meshes by it, so that a
 /// scene is read back as it was.

@@ -88,6 +88,7 @@ class Writer {
   void put_attribute(const PdfAttribute& pdf);
   void put_attribute(const TextureAttribute& texture);
   void put_attribute(const Colour& emission);
+  void put_attribute(const Opacity& opacity);
   template <class Attribute>
   void put_model(const char* keyword, const Attribute& attribute);
   template <class Attribute>

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "grf/write.h"
@@ -101,6 +102,7 @@ void Writer::put_attributes(const Surface& surface, const MeshComments& comments
   put_own(surface.pdf, comments.pdf);
   put_own(surface.texture, comments.texture);
   put_own(surface.emission, comments.emission);
+  put_own(surface.opacity, comments.opacity);
 }
 
 template <class Attribute>
@@ -122,6 +124,7 @@ void Writer::put_changes(const Surface& before, const Surface& after) {
   put_change("pdf", before.pdf, after.pdf);
   put_change("texture", before.texture, after.texture);
   put_change("light", before.emission, after.emission);
+  put_change("opacity", before.opacity, after.opacity);
 }
 
 void Writer::put_attribute(const ColourAttribute& colour) {
@@ -141,6 +144,11 @@ void Writer::put_attribute(const TextureAttribute& texture) {
 void Writer::put_attribute(const Colour& emission) {
   text_ += "light rgb ";
   put(emission);
+}
+
+void Writer::put_attribute(const Opacity& opacity) {
+  if (!std::isfinite(opacity.value)) add_problem(NotFinite);
+  text_ += to_text(opacity);
 }
 
 template <class Attribute>

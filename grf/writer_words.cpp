@@ -140,6 +140,11 @@ double shortest(float value) {
   return number;
 }
 
+std::string to_text(const Opacity& opacity) {
+  constexpr std::array<std::string_view, 3> Kinds = {"", "mask ", "blend "};
+  return fmt::format("opacity {}{}", Kinds[static_cast<std::size_t>(opacity.kind)], opacity.value);
+}
+
 std::string to_text(const PdfModel& pdf) { return pdf.keyword + text_of(pdf.arguments); }
 
 }  // namespace grf

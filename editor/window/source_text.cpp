@@ -18,10 +18,10 @@ namespace {
 
 /// GRF keywords that are never names of models or parameters. Sorted.
 constexpr std::array Keywords = std::to_array<std::string_view>(
-    {"begin",       "brdf",    "color", "colour", "def",      "dependent", "end",     "faces",
-     "false",       "include", "irad",  "light",  "list",     "mesh",      "none",    "normal",
-     "params",      "pdf",     "ray",   "rgb",    "rotation", "scale",     "texture", "transform",
-     "translation", "true",    "use",   "uv",     "vertexs",  "vertices",  "view"});
+    {"begin",     "brdf",        "color", "colour", "def",  "dependent", "end",      "faces",
+     "false",     "include",     "irad",  "light",  "list", "mesh",      "none",     "normal",
+     "opacity",   "params",      "pdf",   "ray",    "rgb",  "rotation",  "scale",    "texture",
+     "transform", "translation", "true",  "use",    "uv",   "vertexs",   "vertices", "view"});
 
 bool is_keyword(const std::string& word) {
   return std::ranges::binary_search(Keywords, std::string_view(grf::lower_case(word)));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -187,6 +188,23 @@ TEST(Grf2008, PlacesTheLightOfADefinedMeshWhereItIsUsed) {
 
 TEST(Grf2008, MayDefineAMeshOfEmittingFacesAlone) {
   in_2008("def m = " + triangle("light rgb (1, 1, 1)") + " begin use m end");
+}
+
+TEST(Grf2008, HasNoOpacityAndNamesTheFirstFace) {
+  const auto error = [](int face, const std::string& opacity) {
+    return fmt::format("error: face {} has 'opacity {}', which the grammar of 2008 lacks\n", face, opacity);
+  };
+  EXPECT_EQ(converted(triangle("opacity 0.5")).said, error(0, "0.5"));
+  EXPECT_EQ(converted(triangle("", "opacity mask 0.25")).said, error(0, "mask 0.25"));
+  EXPECT_EQ(converted(triangle("light rgb (1, 1, 1) opacity 0")).said, error(0, "0"));
+  EXPECT_EQ(converted("def m = " + triangle("opacity blend 1") + " begin use m end").said,
+            error(0, "blend 1"));
+  EXPECT_EQ(
+      converted("begin mesh begin vertexs (0,0,0) (1,0,0) (0,1,0) end vertexs begin faces (0,1,2) (0,2,1) "
+                "opacity 0.5 (0,1,2) opacity 0.75 (0,1,2) end faces end mesh")
+          .said,
+      error(2, "0.5"));
+  EXPECT_THAT(converted(triangle("opacity 1")).text, Not(HasSubstr("opacity"))) << "it is the default";
 }
 
 TEST(Grf2008, HasNoThreeNumbersForAParameter) {

@@ -227,6 +227,24 @@ TEST(CheckOfTermsOfCombine, WantsSomeAndNothingElse) {
             "unknown BRDF 'combin': did you mean 'combine'?\n");
 }
 
+TEST(Check, WantsAnOpacityFromNothingToAll) {
+  for (const char* given : {"0", "1", "0.5", "-0"}) {
+    EXPECT_EQ(said_of(triangle(std::string("brdf flat opacity ") + given)), "") << given;
+  }
+  for (const char* given : {"opacity -0.5", "opacity 1.5", "opacity mask 2", "opacity blend -1"}) {
+    const std::string message = fmt::format("'{}', expected a number from 0 to 1\n", given);
+    EXPECT_EQ(said_of(triangle(std::string("brdf flat ") + given)), message);
+    EXPECT_EQ(said_of(triangle("brdf flat", given)), message);
+  }
+}
+
+TEST(Check, WarnsOfAnOpacityThatReadsTheAlphaOfNoTexture) {
+  EXPECT_EQ(said_of(triangle("brdf flat opacity mask 0.5")),
+            "warning: 'opacity mask 0.5' without a texture, whose alpha it uses: alpha is 1\n");
+  EXPECT_EQ(said_of(triangle("brdf flat", "opacity blend 1")),
+            "warning: 'opacity blend 1' without a texture, whose alpha it uses: alpha is 1\n");
+}
+
 TEST(CheckOfModels, LetsThoseThatReadNoFileHaveNone) {
   EXPECT_EQ(said_of_brdf("flat \"a.dat\""), "'flat' takes no data file\n");
   EXPECT_EQ(said_of_brdf("unknown \"a.dat\""), "unknown BRDF 'unknown'\n");

@@ -98,6 +98,18 @@ TEST(Faces, ShareEqualSurfaces) {
   EXPECT_THAT(*mesh_of(scene).surface_of_face, ElementsAre(1U, 0U, 1U, 2U));
 }
 
+TEST(Faces, MayLetLightPass) {
+  const auto opacity = [](Opacity::Kind kind, float value) { return std::optional(Opacity{kind, value}); };
+  const Scene scene =
+      square("(0, 1, 2) opacity mask 0.25 3 (0, 1, 2) OPACITY BLEND 0.5f (0, 1, 2) opacity none (0, 1, 2)",
+             "opacity 0.75");
+  const Mesh& mesh = mesh_of(scene);
+  EXPECT_EQ(mesh.surface(0).opacity, opacity(Opacity::Kind::Number, 0.75F));
+  EXPECT_EQ(mesh.surface(1).opacity, opacity(Opacity::Kind::Mask, 0.25F));
+  EXPECT_EQ(mesh.surface(2).opacity, opacity(Opacity::Kind::Blend, 0.5F));
+  EXPECT_EQ(mesh.surface(3).opacity, std::nullopt);
+}
+
 TEST(Faces, MayAllBeEmitters) {
   const Scene scene = square("(0, 1, 2)", "light rgb (1, 2, 3)");
   EXPECT_EQ(mesh_of(scene).surface(0).emission, Colour(1, 2, 3));

@@ -47,6 +47,7 @@ Surface written_otherwise(Surface surface) {
     if (auto* model = std::get_if<BrdfModel>(&*surface.brdf)) model->keyword = lower_case(model->keyword);
   }
   if (surface.emission && surface.emission->x == 0) surface.emission->x = -surface.emission->x;
+  if (surface.opacity && surface.opacity->value == 0) surface.opacity->value = -surface.opacity->value;
   return surface;
 }
 
@@ -174,6 +175,7 @@ Mesh SceneGenerator::mesh() {
   if (own.pdf) mesh.comments.pdf = comments();
   if (own.texture) mesh.comments.texture = comments();
   if (own.emission) mesh.comments.emission = comments();
+  if (own.opacity) mesh.comments.opacity = comments();
   mesh.comments.vertices = comments();
   mesh.comments.faces = comments();
   mesh.comments.end = comment_lines();
@@ -236,6 +238,11 @@ Surface SceneGenerator::surface() {
   surface.pdf = attribute<PdfModel>();
   surface.texture = attribute<Texture>();
   if (coin()) surface.emission = colour();
+  // The grammar of 2008 lacks it, so most scenes have none.
+  if (number_up_to(15) == 0) {
+    const float value = *rc::gen::element(0.0F, -0.0F, 0.1F, 1.0F / 3, 0.5F, 1.0F);
+    surface.opacity = Opacity{static_cast<Opacity::Kind>(number_up_to(2)), value};
+  }
   return surface;
 }
 

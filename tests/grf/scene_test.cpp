@@ -143,9 +143,14 @@ TEST(SurfaceHash, IsTheSameForEqualSurfaces) {
   std::get<BrdfModel>(*b.brdf) =
       BrdfModel{{"WARD", {{"KD", Colour(-0.0F, 0, 1), {}}, {"fast", true, {}}}, {}}, {}, {}, {}};
   b.emission = Colour(-0.0F, 1, 1);
+  a.opacity = Opacity{Opacity::Kind::Mask, 0};
+  b.opacity = Opacity{Opacity::Kind::Mask, -0.0F};
   EXPECT_EQ(a, b);
   EXPECT_EQ(hash_value(a), hash_value(b));
   EXPECT_NE(written_key(a), written_key(b));
+  b.opacity->kind = Opacity::Kind::Blend;
+  EXPECT_NE(hash_value(a), hash_value(b));
+  b = a;
   b.pdf = Reference{"few", {}};
   EXPECT_NE(hash_value(a), hash_value(b));
 }

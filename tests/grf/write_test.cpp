@@ -327,6 +327,9 @@ std::vector<Scene> infinite_scenes() {
   });
   add(triangle("rgb (1, 1, 1)"), [&](Block& block) { mesh_in(block).surfaces[0].colour = Colour(infinity); });
   add(triangle(), [&](Block& block) { mesh_in(block).surfaces[0].emission = Colour(infinity); });
+  add(triangle(), [&](Block& block) {
+    mesh_in(block).surfaces[0].opacity = Opacity{Opacity::Kind::Blend, infinity};
+  });
   add(triangle("brdf ward sx=1"), [&](Block& block) {
     std::get<BrdfModel>(*mesh_in(block).surfaces[0].brdf).arguments[0].value = infinity;
   });
