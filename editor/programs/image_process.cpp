@@ -74,21 +74,25 @@ std::optional<image::ImageFile> image_in(QFile& file, bool has_layers) {
 
 std::optional<image::Image> ImageProcess::read(const std::string& path, grf::Diagnostics& diagnostics,
                                                const grf::SourceLocation& asked_for_at,
-                                               const std::stop_token& stop) const {
-  auto file = read(path, false, diagnostics, asked_for_at, stop);
-  return file ? std::optional(std::move(file->image)) : std::nullopt;
+                                               const std::stop_token& stop, image::Alpha alpha) const {
+  const QString option = alpha == image::Alpha::Kept ? QStringLiteral("--alpha") : QString();
+  auto file = read(path, option, diagnostics, asked_for_at, stop);
+  if (!file) return std::nullopt;
+  const bool has_alpha = !file->layers.empty() && file->layers.front().channels.empty();
+  if (has_alpha) file->image.alpha = std::move(file->layers.front().values);
+  return std::move(file->image);
 }
 
 std::optional<image::ImageFile> ImageProcess::read_file(const std::string& path,
                                                         grf::Diagnostics& diagnostics) const {
-  return read(path, true, diagnostics, {}, {});
+  return read(path, QStringLiteral("--layers"), diagnostics, {}, {});
 }
 
-std::optional<image::ImageFile> ImageProcess::read(const std::string& path, bool has_layers,
+std::optional<image::ImageFile> ImageProcess::read(const std::string& path, const QString& option,
                                                    grf::Diagnostics& diagnostics,
                                                    const grf::SourceLocation& asked_for_at,
                                                    const std::stop_token& stop) const {
-  Result result = decode(QString::fromStdString(path), has_layers, stop);
+  Result result = decode(QString::fromStdString(path), option, stop);
   if (result.file || stop.stop_requested()) return std::move(result.file);
   const std::string problem = result.problem.toStdString();
   if (asked_for_at.file) {
@@ -99,7 +103,7 @@ std::optional<image::ImageFile> ImageProcess::read(const std::string& path, bool
   return std::nullopt;
 }
 
-ImageProcess::Result ImageProcess::decode(const QString& path, bool has_layers,
+ImageProcess::Result ImageProcess::decode(const QString& path, const QString& option,
                                           const std::stop_token& stop) const {
   if (program_.isEmpty()) return {{}, tr("cannot read the image: cannot find the program bpt")};
   QFile output;
@@ -114,7 +118,7 @@ ImageProcess::Result ImageProcess::decode(const QString& path, bool has_layers,
   QObject::connect(&process, &ChildProcess::ended, [&](const ChildEnd& ended) { end = ended; });
   QElapsedTimer clock;
   clock.start();
-  const QStringList options = has_layers ? QStringList{"decode", "--layers"} : QStringList{"decode"};
+  const QStringList options = option.isEmpty() ? QStringList{"decode"} : QStringList{"decode", option};
   process.start(program_, options + QStringList{"--", path});
   while (!end && !process.wait(20)) {
     const bool is_late = static_cast<double>(clock.elapsed()) > 1000 * limits_.seconds;
@@ -127,7 +131,7 @@ ImageProcess::Result ImageProcess::decode(const QString& path, bool has_layers,
   if (end->cause != ChildEnd::Cause::Returned)
     return {{}, tr("cannot read the image: the file is corrupt (its decoder crashed)")};
   if (end->code != 0) return {{}, first_line_in(errors)};
-  if (auto file = image_in(output, has_layers)) return {std::move(file), {}};
+  if (auto file = image_in(output, !option.isEmpty())) return {std::move(file), {}};
   return {{}, tr("cannot read the image: the file is corrupt (its decoder wrote no image)")};
 }
 

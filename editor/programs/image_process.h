@@ -30,7 +30,8 @@ class ImageProcess {
   /// without an error.
   std::optional<image::Image> read(const std::string& path, grf::Diagnostics& diagnostics,
                                    const grf::SourceLocation& asked_for_at = {},
-                                   const std::stop_token& stop = {}) const;
+                                   const std::stop_token& stop = {},
+                                   image::Alpha alpha = image::Alpha::OverBlack) const;
   /// Decodes an image with its layers as image::read_image_file does.
   std::optional<image::ImageFile> read_file(const std::string& path, grf::Diagnostics& diagnostics) const;
 
@@ -41,10 +42,11 @@ class ImageProcess {
     QString problem;
   };
 
-  std::optional<image::ImageFile> read(const std::string& path, bool has_layers,
+  /// `option` is that of `bpt decode`; empty: none.
+  std::optional<image::ImageFile> read(const std::string& path, const QString& option,
                                        grf::Diagnostics& diagnostics, const grf::SourceLocation& asked_for_at,
                                        const std::stop_token& stop) const;
-  Result decode(const QString& path, bool has_layers, const std::stop_token& stop) const;
+  Result decode(const QString& path, const QString& option, const std::stop_token& stop) const;
 
   QString program_;
   Limits limits_;

@@ -81,6 +81,8 @@ QString title_of(Effect effect) {
       return EffectsPage::tr("Anisotropy");
     case Effect::Textures:
       return EffectsPage::tr("Textures");
+    case Effect::Opacity:
+      return EffectsPage::tr("Opacity");
     case Effect::VertexColours:
       return EffectsPage::tr("Vertex colours");
     case Effect::InterpolatedNormals:

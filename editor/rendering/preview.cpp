@@ -16,8 +16,9 @@ constexpr std::chrono::milliseconds AbandonDelay(400);
 Preview::Preview(QObject* parent, const ImageProcess& images)
     : QObject(parent),
       render_(listener(), [images](const std::string& path, grf::Diagnostics& diagnostics,
-                                   const grf::SourceLocation& asked_for_at, const std::stop_token& stop) {
-        return images.read(path, diagnostics, asked_for_at, stop);
+                                   const grf::SourceLocation& asked_for_at, image::Alpha alpha,
+                                   const std::stop_token& stop) {
+        return images.read(path, diagnostics, asked_for_at, stop, alpha);
       }) {
   abandon_timer_.setSingleShot(true);
   abandon_timer_.setInterval(AbandonDelay);

@@ -317,6 +317,9 @@ void add_decode(CLI::App& app, command::DecodeArguments& arguments) {
       "--layers", arguments.has_layers,
       "append the layers of an exr: for each, the lengths of its name and of its channels' letters "
       "as little-endian uint32, the name, the letters, and the values pixel by pixel");
+  decode->add_flag(
+      "--alpha", arguments.has_alpha,
+      "append the alpha of an image that has it as such a layer, `A`; colours are multiplied by it");
 }
 
 void add_sky(CLI::App& app, command::SkyArguments& arguments) {

@@ -46,10 +46,12 @@ ExitCode decode(const DecodeArguments& arguments) {
   try {
     grf::Diagnostics diagnostics;
     std::optional<image::ImageFile> file;
+    const image::Alpha alpha = arguments.has_alpha ? image::Alpha::Kept : image::Alpha::OverBlack;
     if (arguments.has_layers) {
       file = image::read_image_file(arguments.image, diagnostics);
-    } else if (auto image = image::read_image(arguments.image, diagnostics)) {
+    } else if (auto image = image::read_image(arguments.image, diagnostics, {}, alpha)) {
       file = image::ImageFile{std::move(*image)};
+      if (!file->image.alpha.empty()) file->layers.push_back({"A", "", std::move(file->image.alpha)});
     }
     if (!file) return fail(diagnostics.entries().front().message);
     return write_out(*file) ? ExitCode::Done : fail("cannot write the image to standard output");

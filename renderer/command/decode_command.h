@@ -10,6 +10,7 @@ namespace command {
 struct DecodeArguments {
   std::string image;
   bool has_layers = false;
+  bool has_alpha = false;  ///< writes alpha, if the image has it, as a layer `A`
 };
 
 /// Decodes an image for programs that leave untrusted images to a separate process. Errors do not name the

@@ -16,17 +16,20 @@ Image blank_image(std::int64_t width, std::int64_t height, std::string_view file
 /// Fills an image from sRGB-encoded bytes (IEC 61966-2-1), three per pixel; 255 is 1.
 void decode_srgb(const std::uint8_t* bytes, Image& image);
 
-/// OpenEXR: the image, from the channels R, G and B, or Y if there are none of these.
-Image decode_exr(std::string_view bytes);
+/// The same with alpha, from four bytes per pixel; the colours are not multiplied by it in the bytes.
+void decode_srgb_with_alpha(const std::uint8_t* bytes, Image& image);
+
+/// OpenEXR: the image, from the channels R, G and B, or Y if there are none of these, and A.
+Image decode_exr(std::string_view bytes, Alpha alpha);
 /// OpenEXR with its layers, see `read_image_file`.
 ImageFile decode_exr_file(std::string_view bytes);
 
 /// Radiance's RGBE (Ward 1991, "Real pixels"), with old and new run-length encoding.
-Image decode_radiance(std::string_view bytes);
+Image decode_radiance(std::string_view bytes, Alpha);
 
-Image decode_tga(std::string_view bytes);
+Image decode_tga(std::string_view bytes, Alpha alpha);
 
 /// WebP, lossy and lossless; animations are refused.
-Image decode_webp(std::string_view bytes);
+Image decode_webp(std::string_view bytes, Alpha alpha);
 
 }  // namespace image

@@ -60,6 +60,10 @@ class ExrFile {
     add("G", first + 1, 3);
     add("B", first + 2, 3);
   }
+  void add_alpha() {
+    image_.alpha.resize(image_.pixels.size());
+    add("A", image_.alpha.data(), 1);
+  }
   /// Asks for all channels that are no part of the image.
   void add_layers() {
     for (auto& [name, letters] : letters_of_layers()) {
@@ -132,10 +136,11 @@ class ExrFile {
 
 }  // namespace
 
-Image decode_exr(std::string_view bytes) {
+Image decode_exr(std::string_view bytes, Alpha alpha) {
   ExrFile file(bytes);
   if (!file.has_colour() && !file.is_grey()) refuse_channels();
   file.add_image();
+  if (alpha == Alpha::Kept && file.has("A")) file.add_alpha();
   file.read();
   return file.take_image();
 }

@@ -52,7 +52,7 @@ float float_of(const char* bytes, bool is_little_endian) {
   return std::bit_cast<float>(is_little_endian ? bits : __builtin_bswap32(bits));
 }
 
-Image decode_pfm(std::string_view bytes) {
+Image decode_pfm(std::string_view bytes, Alpha) {
   const std::size_t channels = next_word(bytes) == "PF" ? 3 : 1;
   const auto width = next_number<std::int32_t>(bytes);
   const auto height = next_number<std::int32_t>(bytes);
@@ -76,7 +76,7 @@ Image decode_pfm(std::string_view bytes) {
 
 // The format of `encode_raw`: width and height, then floats, rows from the top.
 
-Image decode_raw(std::string_view bytes) {
+Image decode_raw(std::string_view bytes, Alpha) {
   std::array<std::uint32_t, 2> size = {};
   if (bytes.size() < sizeof(size)) throw std::runtime_error("unexpected end of file");
   std::memcpy(size.data(), bytes.data(), sizeof(size));
@@ -92,7 +92,25 @@ Image decode_raw(std::string_view bytes) {
 
 // PNG; 16-bit files keep their 16 bits.
 
-Image decode_png(std::string_view bytes) {
+void decode_deep(const std::vector<std::uint8_t>& bytes, Image& image) {
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    std::array<std::uint16_t, 3> pixel = {};
+    std::memcpy(pixel.data(), bytes.data() + i * sizeof(pixel), sizeof(pixel));
+    image.pixels[i] = Colour(pixel[0], pixel[1], pixel[2]) / 65535.0F;
+  }
+}
+
+/// Of colours that are multiplied by their alpha, as libpng gives 16-bit files.
+void decode_deep_with_alpha(const std::vector<std::uint8_t>& bytes, Image& image) {
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    std::array<std::uint16_t, 4> pixel = {};
+    std::memcpy(pixel.data(), bytes.data() + i * sizeof(pixel), sizeof(pixel));
+    image.pixels[i] = Colour(pixel[0], pixel[1], pixel[2]) / 65535.0F;
+    image.alpha.push_back(static_cast<float>(pixel[3]) / 65535.0F);
+  }
+}
+
+Image decode_png(std::string_view bytes, Alpha alpha) {
   png_image png = {};
   png.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, decltype(&png_image_free)> owner(&png, png_image_free);
@@ -102,25 +120,23 @@ Image decode_png(std::string_view bytes) {
   // A pixel takes at least one bit, and zlib expands a byte to at most 1032.
   Image image = blank_image(png.width, png.height, bytes, std::size_t(8) * 1032);
   const bool is_deep = (png.format & PNG_FORMAT_FLAG_LINEAR) != 0;
+  const bool has_alpha = alpha == Alpha::Kept && (png.format & PNG_FORMAT_FLAG_ALPHA) != 0;
   png.format = is_deep ? PNG_FORMAT_LINEAR_RGB : PNG_FORMAT_RGB;
-  // Transparent pixels are composited over black.
+  if (has_alpha) png.format |= PNG_FORMAT_FLAG_ALPHA;
+  // Without alpha, transparent pixels are composited over black.
   std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(png));
   if (png_image_finish_read(&png, nullptr, pixels.data(), 0, nullptr) == 0) {
     throw std::runtime_error(png.message);
   }
-  if (!is_deep) {
-    decode_srgb(pixels.data(), image);
-    return image;
-  }
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    std::array<std::uint16_t, 3> pixel = {};
-    std::memcpy(pixel.data(), pixels.data() + i * sizeof(pixel), sizeof(pixel));
-    image.pixels[i] = Colour(pixel[0], pixel[1], pixel[2]) / 65535.0F;
+  if (has_alpha) {
+    is_deep ? decode_deep_with_alpha(pixels, image) : decode_srgb_with_alpha(pixels.data(), image);
+  } else {
+    is_deep ? decode_deep(pixels, image) : decode_srgb(pixels.data(), image);
   }
   return image;
 }
 
-Image decode_jpeg(std::string_view bytes) {
+Image decode_jpeg(std::string_view bytes, Alpha) {
   struct Destroy {
     void operator()(void* handle) const { tjDestroy(handle); }
   };
@@ -147,7 +163,7 @@ Image decode_jpeg(std::string_view bytes) {
 struct Decoder {
   std::string_view start;  ///< first bytes of all such files; empty: detected by the extension
   std::string_view extension;
-  Image (*decode)(std::string_view);
+  Image (*decode)(std::string_view, Alpha);
 };
 
 constexpr std::array Decoders = {
@@ -234,15 +250,29 @@ void decode_srgb(const std::uint8_t* bytes, Image& image) {
   }
 }
 
+void decode_srgb_with_alpha(const std::uint8_t* bytes, Image& image) {
+  const SrgbTable& linear = srgb_table();
+  image.alpha.reserve(image.pixels.size());
+  for (Colour& pixel : image.pixels) {
+    const float alpha = static_cast<float>(bytes[3]) / 255;
+    pixel = Colour(linear[bytes[0]], linear[bytes[1]], linear[bytes[2]]) * alpha;
+    image.alpha.push_back(alpha);
+    bytes += 4;
+  }
+}
+
 std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagnostics,
-                                const grf::SourceLocation& asked_for_at) {
-  return read_and([](const Decoder& decoder, std::string_view bytes) { return decoder.decode(bytes); }, path,
-                  diagnostics, asked_for_at);
+                                const grf::SourceLocation& asked_for_at, Alpha alpha) {
+  const auto decode = [alpha](const Decoder& decoder, std::string_view bytes) {
+    return decoder.decode(bytes, alpha);
+  };
+  return read_and(decode, path, diagnostics, asked_for_at);
 }
 
 std::optional<ImageFile> read_image_file(const std::string& path, grf::Diagnostics& diagnostics) {
   const auto decode = [](const Decoder& decoder, std::string_view bytes) {
-    return decoder.extension == "exr" ? decode_exr_file(bytes) : ImageFile{decoder.decode(bytes)};
+    return decoder.extension == "exr" ? decode_exr_file(bytes)
+                                      : ImageFile{decoder.decode(bytes, Alpha::OverBlack)};
   };
   return read_and(decode, path, diagnostics, {});
 }

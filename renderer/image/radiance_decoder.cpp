@@ -154,6 +154,6 @@ class RadianceDecoder {
 
 }  // namespace
 
-Image decode_radiance(std::string_view bytes) { return RadianceDecoder(bytes).run(); }
+Image decode_radiance(std::string_view bytes, Alpha) { return RadianceDecoder(bytes).run(); }
 
 }  // namespace image

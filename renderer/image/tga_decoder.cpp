@@ -71,19 +71,20 @@ struct Free {
 
 }  // namespace
 
-Image decode_tga(std::string_view bytes) {
+Image decode_tga(std::string_view bytes, Alpha alpha) {
   int width = 0;
   int height = 0;
   int channels = 0;
   Source header(bytes);
   if (stbi_info_from_callbacks(&Callbacks, &header, &width, &height, &channels) == 0) fail();
   Image image = blank_image(width, height, bytes, 128);  // the longest run
+  const bool has_alpha = alpha == Alpha::Kept && (channels == 2 || channels == 4);
   Source source(bytes);
   const std::unique_ptr<stbi_uc, Free> pixels(
-      stbi_load_from_callbacks(&Callbacks, &source, &width, &height, &channels, 3));
+      stbi_load_from_callbacks(&Callbacks, &source, &width, &height, &channels, has_alpha ? 4 : 3));
   if (source.ended_early()) throw std::runtime_error("unexpected end of file");
   if (!pixels) fail();
-  decode_srgb(pixels.get(), image);
+  has_alpha ? decode_srgb_with_alpha(pixels.get(), image) : decode_srgb(pixels.get(), image);
   return image;
 }
 

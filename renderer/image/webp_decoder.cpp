@@ -6,7 +6,6 @@
 #include <webp/decode.h>
 
 #include "renderer/image/decoders.h"
-#include "renderer/image/srgb.h"
 
 namespace image {
 namespace {
@@ -31,7 +30,7 @@ void check(VP8StatusCode status) {
 
 }  // namespace
 
-Image decode_webp(std::string_view bytes) {
+Image decode_webp(std::string_view bytes, Alpha alpha) {
   const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
   WebPDecoderConfig config;
   if (WebPInitDecoderConfig(&config) == 0) throw std::runtime_error("another version of libwebp");
@@ -43,14 +42,9 @@ Image decode_webp(std::string_view bytes) {
   config.output.is_external_memory = 1;
   config.output.u.RGBA = {pixels.data(), 4 * image.width, pixels.size()};
   check(WebPDecode(data, bytes.size(), &config));
-  const SrgbTable& linear = srgb_table();
-  const std::uint8_t* pixel = pixels.data();
-  for (grf::Colour& colour : image.pixels) {
-    // Transparent pixels are composited over black, as those of PNG are.
-    const float opacity = static_cast<float>(pixel[3]) / 255;
-    colour = grf::Colour(linear[pixel[0]], linear[pixel[1]], linear[pixel[2]]) * opacity;
-    pixel += 4;
-  }
+  // Colours times alpha are those over black, as those of PNG are.
+  decode_srgb_with_alpha(pixels.data(), image);
+  if (alpha == Alpha::OverBlack || config.input.has_alpha == 0) image.alpha = {};
   return image;
 }
 

@@ -55,8 +55,8 @@ std::optional<RenderSettings> PreviewScene::prepare(const PreviewRequest& reques
 image::ImageReader PreviewScene::reader_until(const std::stop_token& stop) const {
   if (!image_reader_) return image::read_image;
   return [this, stop](const std::string& path, Diagnostics& diagnostics,
-                      const grf::SourceLocation& asked_for_at) {
-    return image_reader_(path, diagnostics, asked_for_at, stop);
+                      const grf::SourceLocation& asked_for_at, image::Alpha alpha) {
+    return image_reader_(path, diagnostics, asked_for_at, alpha, stop);
   };
 }
 

@@ -28,7 +28,7 @@ struct PreviewRequest {
 /// Reads images as image::ImageReader does, and cancels when stop is requested.
 using StoppableImageReader = std::function<std::optional<image::Image>(
     const std::string& path, grf::Diagnostics& diagnostics, const grf::SourceLocation& asked_for_at,
-    const std::stop_token& stop)>;
+    image::Alpha alpha, const std::stop_token& stop)>;
 
 /// The compiled scene of previews, reused between requests as far as possible: where only the view changes
 /// nothing is compiled, and where only surfaces change, the acceleration structure is reused.

@@ -75,8 +75,8 @@ bool load_environment(const RenderOptions& render_options, transport::RenderSett
   if (path.empty()) return true;
   const grf::SourceLocation location = render_options.locations.of("BPT_EM_Background");
   const auto read_scaled = [&](const std::string& file, Diagnostics& messages,
-                               const grf::SourceLocation& asked_for_at) {
-    auto image = image_reader(file, messages, asked_for_at);
+                               const grf::SourceLocation& asked_for_at, image::Alpha alpha) {
+    auto image = image_reader(file, messages, asked_for_at, alpha);
     if (image && render_options.environment_scale != 1) {
       for (reflectance::Rgb& pixel : image->pixels) pixel *= render_options.environment_scale;
     }
@@ -84,7 +84,7 @@ bool load_environment(const RenderOptions& render_options, transport::RenderSett
   };
   if (render_options.projection == "backplate") {
     if (settings.backplate) return true;
-    auto image = read_scaled(path, diagnostics, location);
+    auto image = read_scaled(path, diagnostics, location, image::Alpha::OverBlack);
     if (image) settings.backplate = std::make_shared<const image::Image>(std::move(*image));
     return settings.backplate != nullptr;
   }

@@ -161,19 +161,27 @@ void CoarseSceneBuilder::describe_brdf(const grf::ResolvedSurface& resolved, Coa
   }
 }
 
+std::string path_of(const grf::Texture* texture) {
+  if (texture == nullptr) return {};
+  const auto& file = texture->location.file;
+  return file ? grf::path_beside(file->path, texture->file) : texture->file;
+}
+
 CoarseSurface CoarseSceneBuilder::described(const Mesh& mesh, const grf::ResolvedSurface& resolved,
                                             bool is_light) {
   CoarseSurface surface;
   surface.mesh = &mesh;
+  const std::string texture = is_light ? std::string() : path_of(resolved.texture);
+  if (!is_light) {
+    surface.is_cutout = resolved.opacity != grf::Opacity();
+    if (resolved.opacity.reads_alpha()) surface.alpha = texture;
+  }
   // As in SurfaceSetBuilder: an emitter without a BRDF reflects nothing.
   if (is_light || (resolved.brdf == nullptr && resolved.emission)) return surface;
   describe_brdf(resolved, surface);
   surface.has_colours = facts(mesh).has_colours;
   surface.has_irradiance = !mesh.irradiance->empty();
-  if (resolved.texture != nullptr) {
-    const auto& file = resolved.texture->location.file;
-    surface.texture = file ? grf::path_beside(file->path, resolved.texture->file) : resolved.texture->file;
-  }
+  surface.texture = texture;
   return surface;
 }
 
@@ -250,9 +258,14 @@ void CoarseSceneBuilder::add_triangles(const Mesh& mesh, const std::vector<std::
   find_solid(first_part);
 }
 
+// Light gets into a solid whose faces let it pass.
 void CoarseSceneBuilder::find_solid(std::size_t first_part) {
   if (!has_room()) return;
   const std::span parts = std::span(coarse_scene_.parts).subspan(first_part);
+  const auto is_cutout = [&](const CoarsePart& part) {
+    return coarse_scene_.surfaces[part.surface].is_cutout;
+  };
+  if (std::any_of(parts.begin(), parts.end(), is_cutout)) return;
   std::vector<PlaneTriangle> triangles;
   double extent = 0;
   for (const CoarsePart& part : parts) {

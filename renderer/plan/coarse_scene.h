@@ -26,7 +26,9 @@ struct CoarseSurface {
   bool has_irradiance = false;
   bool is_smooth = false;    ///< some face has vertex normals that differ from its own
   bool has_colours = false;  ///< some vertex of the mesh has a colour other than white
+  bool is_cutout = false;    ///< it lets light pass, somewhere or in part
   std::string texture;       ///< path; empty: none
+  std::string alpha;         ///< path of the texture whose alpha its opacity reads; empty: none
   std::string brdf, scheme;  ///< as written in the scene; empty without a BRDF
   std::string identity;      ///< identifies the BRDF as resolved there, see BrdfMaker; empty: GRF's default
 

@@ -70,6 +70,7 @@ class Planner {
   Answer background() const;
   Answer interreflection(bool diffuse) const;
   Answer of_faces(const Test& test, std::string_view what) const;
+  Answer opacity() const;
   Answer interpolated_normals() const;
   Answer irradiance() const;
   Answer depth_of_field() const;
@@ -198,6 +199,20 @@ Answer Planner::interreflection(bool diffuse) const {
                                 : "a glossy BRDF, and paths continue from there or to there");
 }
 
+// Light that reaches a visible face may have passed any other face.
+Answer Planner::opacity() const {
+  const std::size_t all = count([](const CoarseSurface& surface) { return surface.is_cutout; });
+  if (all == 0) return {false, "all faces are opaque"};
+  SurfaceList surfaces;
+  for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
+    const bool is_passed = reachability_.depth > 0 || reachability_.is_met[i];
+    if (coarse_scene_.surfaces[i].is_cutout && is_passed) surfaces.push_back(i);
+  }
+  const std::size_t passed = face_count(surfaces);
+  if (passed == 0) return {false, why_not(all, all)};
+  return {true, fmt::format("light can pass through {}", faces(passed)), std::move(surfaces)};
+}
+
 Answer Planner::interpolated_normals() const {
   SurfaceList surfaces;
   for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
@@ -247,6 +262,8 @@ Answer Planner::of(Effect effect) const {
                       "an anisotropic BRDF");
     case Effect::Textures:
       return of_faces([](const CoarseSurface& surface) { return !surface.texture.empty(); }, "a texture");
+    case Effect::Opacity:
+      return opacity();
     case Effect::VertexColours:
       return of_faces([](const CoarseSurface& surface) { return surface.has_colours; },
                       "vertex colours other than white");
@@ -299,15 +316,18 @@ void Planner::add_textures(Plan& plan) const {
   std::map<std::string, std::size_t> places;
   std::vector<FaceCounts> faces_of_texture;
   const bool are_on = settings_.limits.effects.has(Effect::Textures);
+  const bool has_opacity = of(Effect::Opacity).is_needed;
   for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
     const CoarseSurface& surface = coarse_scene_.surfaces[i];
-    if (surface.texture.empty()) continue;
-    const auto [place, is_new] = places.try_emplace(surface.texture, plan.textures.size());
-    if (is_new) plan.textures.push_back({surface.texture, false, {}});
+    const std::string& file = surface.texture.empty() ? surface.alpha : surface.texture;
+    if (file.empty()) continue;
+    const auto [place, is_new] = places.try_emplace(file, plan.textures.size());
+    if (is_new) plan.textures.push_back({file, false, {}});
     faces_of_texture.resize(plan.textures.size());
     faces_of_texture[place->second].add(surface);
     PlannedTexture& texture = plan.textures[place->second];
-    texture.is_needed = texture.is_needed || (are_on && reachability_.reflects[i]);
+    texture.is_needed =
+        texture.is_needed || (are_on && reachability_.reflects[i]) || (has_opacity && !surface.alpha.empty());
   }
   for (std::size_t i = 0; i < plan.textures.size(); ++i) {
     if (plan.textures[i].is_needed) continue;

@@ -71,6 +71,13 @@ class PathSampler {
             sample_ * static_cast<std::uint32_t>(count) + static_cast<std::uint32_t>(index), pattern_};
   }
 
+  /// Returns a random word for decisions that need no stratification, without taking a dimension: it differs
+  /// between samples, and after each call of `next`, `next_two` or `next_set`.
+  std::uint32_t word() const {
+    constexpr std::uint32_t Apart = 0xC0000000U;  // apart from the seeds of dimensions and of split paths
+    return hash(hash(seed_, Apart + dimension_), sample_);
+  }
+
   /// Returns `count` samples for one purpose. Over all samples of the pixel they form one sequence, if each
   /// asks for the same number; independent if the pattern is.
   SampleSet next_set(int count) {

@@ -221,6 +221,50 @@ TEST_F(ImageReader, ReadsWebP) {
   EXPECT_EQ(rows->pixels, (std::vector<Colour>{Colour(1, 0, 0), Colour(0, 1, 0), Colour(0, 0, 1)}));
 }
 
+TEST_F(ImageReader, KeepsAlphaIfAsked) {
+  const std::vector<std::uint8_t> bytes = {255, 128, 0, 51, 255, 128, 0, 255};
+  std::vector<std::uint16_t> deep = {13107, 6554, 0, 13107, 65535, 32896, 0, 65535};  // times alpha
+  const auto png = [](png_uint_32 format, const void* pixels) {
+    png_image header = {};
+    header.version = PNG_IMAGE_VERSION;
+    header.width = 2;
+    header.height = 1;
+    header.format = format;
+    std::string file(10000, '\0');
+    png_alloc_size_t size = file.size();
+    png_image_write_to_memory(&header, file.data(), &size, 0, pixels, 0, nullptr);
+    file.resize(size);
+    return file;
+  };
+  // Bottom up, blue first, with 8 bits of alpha.
+  const std::string tga = std::string("\0\0\2\0\0\0\0\0\0\0\0\0\2\0\1\0\x20\x08", 18) +
+                          std::string("\0\x80\xff\x33\0\x80\xff\xff", 8);
+  const std::map<std::string, std::string> files = {{"a.png", png(PNG_FORMAT_RGBA, bytes.data())},
+                                                    {"b.png", png(PNG_FORMAT_LINEAR_RGB_ALPHA, deep.data())},
+                                                    {"c.webp", webp_file(bytes, 2, 1, true)},
+                                                    {"d.tga", tga}};
+  for (const auto& [name, file] : files) {
+    const std::string path = folder_.add(name, file);
+    const auto image = image::read_image(path, diagnostics_, {}, image::Alpha::Kept);
+    ASSERT_TRUE(image) << diagnostics_.to_text();
+    ASSERT_EQ(image->alpha.size(), 2U) << name;
+    EXPECT_NEAR(image->alpha[0], 0.2F, 1e-6F) << name;
+    EXPECT_EQ(image->alpha[1], 1) << name;
+    EXPECT_NEAR(image->pixels[0].x, 0.2F, 1e-4F) << name << ": colours are multiplied by alpha";
+    EXPECT_NEAR(image->pixels[1].x, 1, 1e-4F) << name;
+    EXPECT_TRUE(image::read_image(path, diagnostics_)->alpha.empty()) << name;
+  }
+  for (const auto& [name, file] : std::map<std::string, std::string>{{"e.png", deep_png_file(6554)},
+                                                                     {"f.webp", orange_webp_file(true)},
+                                                                     {"g.jpg", jpeg_file(20, 30)},
+                                                                     {"h.tga", tga_file(4, 3)},
+                                                                     {"i.pfm", big_endian_grey_pfm()}}) {
+    const auto image = image::read_image(folder_.add(name, file), diagnostics_, {}, image::Alpha::Kept);
+    ASSERT_TRUE(image) << diagnostics_.to_text();
+    EXPECT_TRUE(image->alpha.empty()) << name << ": it has none";
+  }
+}
+
 TEST_F(ImageReader, RefusesDamagedWebP) {
   const std::string file = orange_webp_file(false);
   expect_error("a.webp", file.substr(0, 20), "it is damaged (unexpected end of file)");

@@ -186,6 +186,28 @@ std::vector<Case> cases() {
        {},
        0,
        {}},
+      {"a wall that lets light pass",
+       wall(diffuse + " opacity 0.5") + Lamp,
+       {},
+       1,
+       {"area_lights", "opacity"}},
+      {"a wall that is opaque", wall(diffuse + " opacity 1") + Lamp, {}, 1, {"area_lights"}},
+      {"emission through a wall", wall("opacity 0.5") + LampBehindWall, depth(0), 0, {"opacity"}},
+      {"a sheet out of view that light passes",
+       wall(diffuse) + test::quad("rgb (0,0,0) opacity 0.5", OutOfView) + Lamp,
+       {},
+       1,
+       {"area_lights", "opacity"}},
+      {"a sheet out of view that nobody needs",
+       wall("rgb (0,0,0)") + test::quad("rgb (0,0,0) opacity 0.5", OutOfView) + Lamp,
+       {},
+       0,
+       {}},
+      {"a cube that light gets into",
+       cube(diffuse + " opacity 0.5") + Lamp,
+       {},
+       5,
+       {"area_lights", interreflects, "opacity"}},
       {"under a mesh light", wall(diffuse) + MeshLamp, {}, 1, {"area_lights"}},
   };
 }
@@ -240,6 +262,20 @@ TEST(Plan, LoadsNoFileThatNoPathNeeds) {
   EXPECT_FALSE(scene.plan().textures[0].is_needed);
   EXPECT_EQ(scene.plan().textures[0].why,
             "only on 1 face that no path hits: outside the view, and the depth of 1 allows no second bounce");
+}
+
+// Its alpha decides what is seen behind a black face.
+TEST(Plan, LoadsTexturesWhoseAlphaLightPasses) {
+  const std::string text = wall("rgb (0,0,0) texture \"missing.png\" opacity mask 0.5") + Lamp;
+  const PlannedScene scene(text, depth(1));
+  ASSERT_EQ(scene.plan().textures.size(), 1U);
+  EXPECT_TRUE(scene.plan().textures[0].is_needed);
+  EXPECT_THROW(PlannedScene(text, depth(1)).compiled(), std::runtime_error);
+  const PlannedRender opaque = test::without(depth(1), Effect::Opacity);
+  EXPECT_FALSE(PlannedScene(text, opaque).plan().textures[0].is_needed);
+  EXPECT_EQ(PlannedScene(text, opaque).compiled().texture_count(), 0U);
+  const std::string lamp = wall("light rgb (1,1,1) texture \"missing.png\" opacity blend 1");
+  EXPECT_TRUE(PlannedScene(lamp, depth(1)).plan().textures.at(0).is_needed);
 }
 
 TEST(Plan, BuildsTablesOfPairsThatPathsMeetAlone) {

@@ -86,6 +86,13 @@ TEST(SwitchedOff, TexturesAndVertexColoursLeaveTheColourOfTheFace) {
                           Rgb(0.4F, 0, 0.4F), Rgb(0.4F, 0.8F, 0.8F));
 }
 
+TEST(SwitchedOff, OpacityIsThatOfOpaqueFaces) {
+  PlannedRender setup = look_at_middle();
+  setup.samples = 4096;
+  expect_with_and_without(wall_of("brdf diffuse kd=0.5 opacity 0.25"), setup, Effect::Opacity,
+                          Rgb(0.25F * 0.5F + 0.75F), Rgb(0.5F), 0.02);
+}
+
 TEST(SwitchedOff, MeasuredDataIsTheDiffuseBrdfOfAHalf) {
   const test::TemporaryFolder folder;
   const reflectance::MerlTable table([](const Vec3f&, const Vec3f&) { return Rgb(0.3F, 0.2F, 0.1F); });

@@ -47,7 +47,7 @@ class FeatureRays {
     const Uniform4 place = sampler.next();
     const Ray ray = camera_.ray(static_cast<float>(column) + place.x, static_cast<float>(row) + place.y,
                                 {place.z, place.w});
-    const auto point = scene_.intersect(ray);
+    const auto point = scene_.intersect(ray, sampler.word());
     if (!point) return;
     const Vec3f back = -ray.direction;
     const Vec3f normal = normal_towards(back, *point);

@@ -16,7 +16,7 @@ class NaivePaths {
  public:
   NaivePaths(const CompiledScene& scene, const IntegratorSettings& settings, PathSampler& sampler,
              RayCounter& counter)
-      : scene_(scene), settings_(settings), sampler_(sampler), counter_(counter) {}
+      : scene_(scene), settings_(settings), sampler_(sampler), counter_(counter), word_(sampler.word()) {}
 
   Rgb run(const Ray& ray, const std::optional<Rgb>& backplate);
 
@@ -36,13 +36,15 @@ class NaivePaths {
   RayCounter& counter_;
   /// A set of samples per bounce, with one sample per path.
   std::vector<SampleSet> points_;
+  std::uint32_t word_;  ///< random, for all rays together
+  std::uint32_t casts_ = 0;
 };
 
 Uniforms uniforms(const Uniform4& xi) { return {xi.xy(), xi.z}; }
 
 std::optional<SurfacePoint> NaivePaths::intersect(const Ray& ray) {
   ++counter_.rays;
-  return scene_.intersect(ray);
+  return scene_.intersect(ray, scene_.has_cutouts() ? hash(word_, casts_++) : 0);
 }
 
 Rgb NaivePaths::emission(const SurfacePoint& point, const Ray& ray) const {

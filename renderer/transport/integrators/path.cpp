@@ -201,8 +201,8 @@ void Path<Has>::add_area_light(const ShadingPoint& shading, float choice, const 
   if (!ray) return;
   ++counter_.rays;
   check_finite("radiance of a light", light->radiance, &shading.point);
-  if (!scene_.is_occluded(*ray, light->emitter))
-    add_reflected(shading, *lit * light->radiance, light->emitter);
+  const float passed = scene_.transmittance_to_end(*ray, light->emitter) * scene_.opacity_at(*light);
+  if (passed > 0) add_reflected(shading, *lit * light->radiance * passed, light->emitter);
 }
 
 template <PathEffects Has>
@@ -214,7 +214,8 @@ void Path<Has>::add_environment_light(const ShadingPoint& shading, const Vec2f& 
   const auto ray = shading.ray_towards(scene_, light->direction, counter_.rays);
   if (!ray) return;
   ++counter_.rays;
-  if (scene_.is_unoccluded(*ray)) add_reflected(shading, *lit * light->radiance, InvalidIndex);
+  const float passed = scene_.transmittance(*ray);
+  if (passed > 0) add_reflected(shading, *lit * light->radiance * passed, InvalidIndex);
 }
 
 // The path continues in a direction of its own, not one of the candidates: a direction chosen by the map's
@@ -233,9 +234,10 @@ void Path<Has>::add_resampled_light(const ShadingPoint& shading) {
     const auto ray = shading.ray_towards(scene_, direction, counter_.rays);
     if (!ray) return;
     ++counter_.rays;
-    if (!scene_.is_unoccluded(*ray)) return;
+    const float passed = scene_.transmittance(*ray);
+    if (!(passed > 0)) return;
     check_finite("resampled light", estimate, &shading.point);
-    add_reflected(shading, throughput_ * shading.point.colour * estimate, InvalidIndex);
+    add_reflected(shading, throughput_ * shading.point.colour * estimate * passed, InvalidIndex);
   };
   reflectance::resample(resampler_, *settings_.resampling, xi, draw, radiance, add_if_visible);
 }
@@ -332,7 +334,7 @@ Rgb Path<Has>::run(const std::optional<Rgb>& backplate, int bounces) {
   for (;; ++bounces) {
     if constexpr (Has.observe) bounces_ = bounces;
     ++counter_.rays;
-    const auto point = scene_.intersect(ray_);
+    const auto point = scene_.intersect(ray_, scene_.has_cutouts() ? sampler_.word() : 0);
     if (!point) {
       const Rgb outside = backplate && bounces == 0 ? check_finite("backplate", *backplate, nullptr)
                                                     : radiance_from_outside();

@@ -17,7 +17,7 @@ struct Emitter {
   Vec3f edge1;
   Vec3f edge2;
   bool is_triangle = false;
-  Rgb radiance;  ///< W/(sr m2)
+  Rgb radiance;  ///< W/(sr m2), times its opacity if that is constant
 
   Vec3f doubled_area_normal() const { return edge1.cross(edge2); }
   float area() const { return doubled_area_normal().length() / (is_triangle ? 2 : 1); }

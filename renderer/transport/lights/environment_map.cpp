@@ -242,7 +242,7 @@ std::optional<EnvironmentMap> read_environment_map(const std::string& path, grf:
                                                    const grf::SourceLocation& asked_for_at,
                                                    const image::ImageReader& image_reader, float rotation,
                                                    EnvironmentMap::Weights weights) {
-  auto image = image_reader(path, diagnostics, asked_for_at);
+  auto image = image_reader(path, diagnostics, asked_for_at, image::Alpha::OverBlack);
   if (!image) return std::nullopt;
   EnvironmentMap map(std::move(*image), rotation, weights);
   if (map.invalid_texels() > 0) {

@@ -81,7 +81,8 @@ LightSample sample_at(const Emitter& emitter, const Vec2f& place, const Vec3f& d
           emitter.doubled_area_normal().normalized(),
           emitter.radiance,
           pdf,
-          index};
+          index,
+          place};
 }
 
 }  // namespace

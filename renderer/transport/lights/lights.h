@@ -18,6 +18,7 @@ struct LightSample {
   Rgb radiance;
   float pdf = 0;  ///< solid-angle pdf, 1/sr, over 0, which includes the choice of the emitter
   std::uint32_t emitter = 0;
+  Vec2f place = Vec2f(0);  ///< from the emitter's corner, in multiples of its two edges
 };
 
 /// The scene's area lights, sampled by solid angle: an emitter by the light tree, then a direction uniformly

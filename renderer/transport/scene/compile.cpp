@@ -240,8 +240,10 @@ void Compiler::add_emitters(const TriangleMesh& mesh, std::size_t first_triangle
   const bool turns = mirrors(map);
   for (std::size_t i = first_triangle; i < mesh.triangles.size(); ++i) {
     const Triangle& triangle = mesh.triangles[i];
-    const Rgb& radiance = surfaces_[first_surface + triangle.surface].emission;
-    if (reflectance::is_black(radiance)) continue;
+    const CompiledSurface& surface = surfaces_[first_surface + triangle.surface];
+    if (reflectance::is_black(surface.emission)) continue;
+    const float opacity = surface.alpha == InvalidIndex ? surface.opacity.value : 1;
+    const Rgb radiance = surface.emission * opacity;
     std::array<Vec3d, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] = Vec3d(mesh.positions[triangle.corners[k]]) * map;
     if (turns) std::swap(corners[1], corners[2]);
@@ -251,9 +253,9 @@ void Compiler::add_emitters(const TriangleMesh& mesh, std::size_t first_triangle
   }
 }
 
-// A degenerate emitter emits nothing, and cannot be hit.
+// A degenerate or absent emitter emits nothing, and cannot be hit.
 void Compiler::add_emitter(const Emitter& emitter, const TriangleId& id) {
-  if (!(emitter.area() > 0)) {
+  if (!(emitter.area() > 0) || reflectance::is_black(emitter.radiance)) {
     geometry_.emitter_table.push_back(InvalidIndex);
     return;
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "renderer/transport/scene/hit.h"
+#include "renderer/transport/sobol.h"
 
 namespace transport {
 namespace {
@@ -47,10 +48,85 @@ CompiledScene::CompiledScene(std::shared_ptr<const Geometry> geometry, RayCaster
       reflectors_(std::move(reflectors)),
       textures_(std::move(textures)),
       lights_(std::move(emitters)),
-      caster_(std::move(caster)) {}
+      caster_(std::move(caster)),
+      has_cutouts_(std::ranges::any_of(geometry_->meshes, &TriangleMesh::has_cutouts)) {}
 
-std::optional<SurfacePoint> CompiledScene::intersect(const Ray& ray) const {
-  const auto met = caster_.intersect(ray);
+/// Stops a ray at each triangle by chance, by a hash of the triangle: the order of hits does not matter.
+class CompiledScene::NearestStop : public HitFilter {
+ public:
+  NearestStop(const CompiledScene& scene, const Ray& ray, std::uint32_t chance)
+      : scene_(scene), ray_(ray), chance_(chance) {}
+
+  bool stops(const TriangleHit& hit) override {
+    const float opacity = scene_.opacity_at(hit, ray_);
+    if (opacity <= 0 || opacity >= 1) return opacity >= 1;
+    const std::uint32_t bits = hash(hash(chance_, hit.id.instance), hit.id.triangle);
+    return static_cast<float>(bits >> 8U) * 0x1p-24F < opacity;
+  }
+
+ private:
+  const CompiledScene& scene_;
+  const Ray& ray_;
+  std::uint32_t chance_;
+};
+
+/// Multiplies what triangles let pass, in the order of their numbers: that of hits may depend on how the
+/// acceleration structure was built, and Embree may report a hit twice.
+class CompiledScene::Passage : public HitFilter {
+ public:
+  Passage(const CompiledScene& scene, const Ray& ray) : scene_(scene), ray_(ray) {}
+
+  bool stops(const TriangleHit& hit) override {
+    const float opacity = scene_.opacity_at(hit, ray_);
+    if (opacity >= 1) return true;
+    if (opacity > 0) passed_.push_back({{hit.id.instance, hit.id.triangle}, 1 - opacity});
+    return false;
+  }
+
+  float transmittance() {
+    std::ranges::sort(passed_);
+    float product = 1;
+    for (std::size_t i = 0; i < passed_.size(); ++i) {
+      if (i == 0 || passed_[i].first != passed_[i - 1].first) product *= passed_[i].second;
+    }
+    return product;
+  }
+
+ private:
+  const CompiledScene& scene_;
+  const Ray& ray_;
+  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, float>> passed_;
+};
+
+float CompiledScene::opacity_at(const TriangleHit& hit, const Ray& ray) const {
+  const Instance& instance = geometry_->instances[hit.id.instance];
+  const Triangle& triangle = geometry_->meshes[instance.mesh].triangles[hit.id.triangle];
+  const CompiledSurface& surface = surfaces_[instance.first_surface + triangle.surface];
+  if (surface.alpha == InvalidIndex) return surface.opacity.value;
+  const HitTriangle met(*geometry_, hit, ray);
+  const Texture& texture = *textures_[surface.alpha].texture;
+  // A filtered alpha would make holes vanish or grow with the distance.
+  if (surface.opacity.kind == grf::Opacity::Kind::Mask) {
+    return texture.alpha(met.uv(), 0) >= surface.opacity.value ? 1 : 0;
+  }
+  return surface.opacity.value *
+         texture.alpha(met.uv(), met.uv_scale() * ray.cone.at(hit.distance * ray.direction.length()).width);
+}
+
+float CompiledScene::opacity_of_emitter(const LightSample& light) const {
+  const TriangleId& id = geometry_->emitter_triangles[light.emitter];
+  const Instance& instance = geometry_->instances[id.instance];
+  const Triangle& triangle = geometry_->meshes[instance.mesh].triangles[id.triangle];
+  if (surfaces_[instance.first_surface + triangle.surface].alpha == InvalidIndex) return 1;
+  // The corners of a mirrored instance are in the other order.
+  const bool turns = id.instance != 0 && instance.to_scene.linear.determinant() < 0;
+  const Vec2f weights = turns ? Vec2f(light.place.y, light.place.x) : light.place;
+  return opacity_at(TriangleHit{id, weights.x, weights.y, 0}, Ray());
+}
+
+std::optional<SurfacePoint> CompiledScene::intersect(const Ray& ray, std::uint32_t chance) const {
+  NearestStop filter(*this, ray, chance);
+  const auto met = caster_.intersect(ray, has_cutouts_ ? &filter : nullptr);
   if (!met) return std::nullopt;
   const HitTriangle hit(*geometry_, *met, ray);
   const CompiledSurface& surface = surfaces_[hit.instance().first_surface + hit.triangle().surface];
@@ -94,7 +170,7 @@ std::optional<RayStart> CompiledScene::offset_start(const SurfacePoint& point, c
       offset_towards(point.position, point.error, point.geometric_normal, point.terminator_offset);
   const Vec3f raised = point.position + point.terminator_offset;
   ++rays;
-  if (caster_.is_occluded({foot, raised - foot, point.id})) return std::nullopt;
+  if (is_occluded({foot, raised - foot, point.id})) return std::nullopt;
   return RayStart{raised, TriangleId()};
 }
 
@@ -125,10 +201,18 @@ Vec3d CompiledScene::off_faces(const Vec3d& point, const Vec3d& direction) const
   return moved;
 }
 
-bool CompiledScene::is_occluded(const Ray& ray, std::uint32_t emitter) const {
-  if (emitter == InvalidIndex) return caster_.is_occluded(ray);
-  return caster_.is_occluded(ray, geometry_->emitter_triangles[emitter],
-                             lights_[emitter].is_triangle ? 1 : 2);
+float CompiledScene::transmittance_to_end(const Ray& ray, std::uint32_t emitter) const {
+  Passage passage(*this, ray);
+  const bool has_emitter = emitter != InvalidIndex;
+  const TriangleId target = has_emitter ? geometry_->emitter_triangles[emitter] : TriangleId();
+  const std::uint32_t count = !has_emitter ? 0 : lights_[emitter].is_triangle ? 1 : 2;
+  if (caster_.is_occluded(ray, target, count, has_cutouts_ ? &passage : nullptr)) return 0;
+  return passage.transmittance();
+}
+
+float CompiledScene::transmittance(const Ray& ray) const {
+  Passage passage(*this, ray);
+  return caster_.is_unoccluded(ray, has_cutouts_ ? &passage : nullptr) ? passage.transmittance() : 0;
 }
 
 std::size_t CompiledScene::triangle_count() const {

@@ -31,7 +31,9 @@ class CompiledScene {
                 std::vector<CompiledSurface> surfaces, ReflectorSet reflectors,
                 std::vector<TextureFile> textures, std::vector<Emitter> emitters);
 
-  std::optional<SurfacePoint> intersect(const Ray& ray) const;
+  /// Returns the nearest point that stops the ray. A face of opacity a does so with probability a: equal
+  /// values of `chance`, a random word, give equal points, and different ones independent decisions.
+  std::optional<SurfacePoint> intersect(const Ray& ray, std::uint32_t chance = 0) const;
 
   /// Returns where a ray starts that leaves a surface in a direction on the side of this normal. For a
   /// direction below that side, only if `terminator_offset` leads above the triangle there and the offset is
@@ -45,10 +47,22 @@ class CompiledScene {
   /// the second and third corner; without colour, texture and tangent.
   SurfacePoint front_point(const TriangleId& id, const Vec2f& weights) const;
 
-  /// Whether anything lies between the origin and origin + direction; if the end is a point of an emitter,
-  /// the emitter itself does not count.
-  bool is_occluded(const Ray& ray, std::uint32_t emitter = InvalidIndex) const;
-  bool is_unoccluded(const Ray& ray) const { return caster_.is_unoccluded(ray); }
+  /// The fraction of light that passes between the origin and origin + direction; if the end is a point of an
+  /// emitter, the emitter itself does not count.
+  float transmittance_to_end(const Ray& ray, std::uint32_t emitter = InvalidIndex) const;
+  /// The fraction of light that passes in front of the origin, at any distance.
+  float transmittance(const Ray& ray) const;
+  /// Whether no light passes, see `transmittance_to_end`.
+  bool is_occluded(const Ray& ray, std::uint32_t emitter = InvalidIndex) const {
+    return !(transmittance_to_end(ray, emitter) > 0);
+  }
+  bool is_unoccluded(const Ray& ray) const { return transmittance(ray) > 0; }
+
+  /// The opacity of an emitter at a sampled point, as far as it varies: a constant one is part of its
+  /// radiance.
+  float opacity_at(const LightSample& light) const { return has_cutouts_ ? opacity_of_emitter(light) : 1; }
+
+  bool has_cutouts() const { return has_cutouts_; }  ///< some face is not opaque
 
   /// Moves a point off the faces that it lies in, by the rounding error of rays that start there: to the side
   /// that the direction points to if the point is in a face within the rounding of the face's corners, and
@@ -84,6 +98,10 @@ class CompiledScene {
   const std::vector<TextureFile>& textures() const { return textures_; }
 
  private:
+  class NearestStop;
+  class Passage;
+  float opacity_at(const TriangleHit& hit, const Ray& ray) const;
+  float opacity_of_emitter(const LightSample& light) const;
   std::optional<RayStart> offset_start(const SurfacePoint& point, const Vec3f& geometric_side,
                                        std::uint64_t& rays) const;
 
@@ -93,6 +111,7 @@ class CompiledScene {
   std::vector<TextureFile> textures_;
   Lights lights_;
   RayCaster caster_;
+  bool has_cutouts_ = false;
 };
 
 struct CompileSettings {

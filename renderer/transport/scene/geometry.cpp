@@ -45,7 +45,8 @@ bool have_same_shape(const TriangleMesh& a, const TriangleMesh& b) {
   const auto have_same_corners = [](const Triangle& one, const Triangle& other) {
     return one.corners == other.corners;
   };
-  return a.positions == b.positions && std::ranges::equal(a.triangles, b.triangles, have_same_corners);
+  return a.has_cutouts == b.has_cutouts && a.positions == b.positions &&
+         std::ranges::equal(a.triangles, b.triangles, have_same_corners);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ struct TriangleMesh {
   std::vector<Colour> irradiance;  ///< W/m2, over all directions; NaN where a vertex has none
   std::vector<Triangle> triangles;
   std::vector<EmittingRun> emitting_runs;
+  bool has_cutouts = false;  ///< some triangle is not opaque
 
   /// The number of an emitting triangle among the mesh's emitting triangles.
   std::uint32_t emitting_number(std::uint32_t triangle) const;
@@ -110,7 +111,7 @@ struct Geometry {
   std::size_t bytes() const;
 };
 
-/// Whether rays hit the same triangles in both, whatever their surfaces.
+/// Whether rays hit the same triangles in both, whatever their surfaces, and the same meshes have cut-outs.
 bool have_same_shape(const Geometry& a, const Geometry& b);
 
 }  // namespace transport

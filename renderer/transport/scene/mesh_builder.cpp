@@ -52,6 +52,7 @@ void MeshBuilder::add(const grf::Mesh& mesh, const UsedVertices& used, const Mat
   for (std::size_t face = 0; face < mesh.face_count(); ++face) {
     const std::uint32_t surface = (*mesh.surface_of_face)[face];
     const bool emits = !reflectance::is_black(surfaces[surface].emission);
+    mesh_.has_cutouts |= surfaces[surface].is_cutout();
     for (std::size_t i = triangles.first_of(face); i < triangles.first_of(face + 1); ++i) {
       std::array<std::uint32_t, 3> corners = triangles[i];
       if (turns) std::swap(corners[1], corners[2]);

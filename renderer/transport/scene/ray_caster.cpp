@@ -16,9 +16,16 @@ namespace {
 
 constexpr float Infinity = std::numeric_limits<float>::infinity();
 
-/// The context of a shadow ray, which Embree passes to the filter: the triangles that the ray ignores.
+/// The context of a ray, which Embree passes to the filter.
+struct RayContext {
+  RTCIntersectContext embree;
+  HitFilter* filter;
+};
+
+/// The context of a shadow ray, with the triangles that the ray ignores.
 struct ShadowContext {
   RTCIntersectContext embree;
+  HitFilter* filter;
   TriangleId from;
   TriangleId target;
   std::uint32_t target_count = 0;
@@ -34,14 +41,36 @@ std::uint32_t instance_of(unsigned embree_instance) {
   return embree_instance == RTC_INVALID_GEOMETRY_ID ? 0 : embree_instance;
 }
 
+TriangleId triangle_of(const RTCFilterFunctionNArguments& arguments, unsigned i) {
+  return {instance_of(RTCHitN_instID(arguments.hit, arguments.N, i, 0)),
+          RTCHitN_primID(arguments.hit, arguments.N, i)};
+}
+
+TriangleHit hit_of(const RTCFilterFunctionNArguments& arguments, unsigned i) {
+  return {triangle_of(arguments, i), RTCHitN_u(arguments.hit, arguments.N, i),
+          RTCHitN_v(arguments.hit, arguments.N, i), RTCRayN_tfar(arguments.ray, arguments.N, i)};
+}
+
+void filter_hits(const RTCFilterFunctionNArguments* arguments) {
+  const auto* context = reinterpret_cast<const RayContext*>(arguments->context);
+  if (context->filter == nullptr) return;
+  for (unsigned i = 0; i < arguments->N; ++i) {
+    if (arguments->valid[i] == 0) continue;
+    if (!context->filter->stops(hit_of(*arguments, i))) arguments->valid[i] = 0;
+  }
+}
+
 void filter_shadow_hits(const RTCFilterFunctionNArguments* arguments) {
   const auto* context = reinterpret_cast<const ShadowContext*>(arguments->context);
   for (unsigned i = 0; i < arguments->N; ++i) {
     if (arguments->valid[i] == 0) continue;
-    const TriangleId id = {instance_of(RTCHitN_instID(arguments->hit, arguments->N, i, 0)),
-                           RTCHitN_primID(arguments->hit, arguments->N, i)};
-    if (context->passes(id)) arguments->valid[i] = 0;
+    if (context->passes(triangle_of(*arguments, i))) arguments->valid[i] = 0;
   }
+}
+
+void filter_shadow_hits_of_cutouts(const RTCFilterFunctionNArguments* arguments) {
+  filter_shadow_hits(arguments);
+  filter_hits(arguments);
 }
 
 RTCRay to_embree(const Ray& ray, float nearest, float farthest) {
@@ -79,7 +108,12 @@ RTCGeometry triangles_of(RTCDevice device, const TriangleMesh& mesh) {
                              sizeof(Vec3f), mesh.positions.size() - 1);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
                              sizeof(Triangle), mesh.triangles.size());
-  rtcSetGeometryOccludedFilterFunction(geometry, filter_shadow_hits);
+  if (mesh.has_cutouts) {
+    rtcSetGeometryIntersectFilterFunction(geometry, filter_hits);
+    rtcSetGeometryOccludedFilterFunction(geometry, filter_shadow_hits_of_cutouts);
+  } else {
+    rtcSetGeometryOccludedFilterFunction(geometry, filter_shadow_hits);
+  }
   rtcCommitGeometry(geometry);
   return geometry;
 }
@@ -157,8 +191,9 @@ struct RayCaster::Scenes {
   void build_meshes();
   void build_top();
 
-  bool intersects_any(const Ray& ray, float farthest, const TriangleId& target, std::uint32_t count) const {
-    ShadowContext context{{}, ray.from, target, count};
+  bool intersects_any(const Ray& ray, float farthest, const TriangleId& target, std::uint32_t count,
+                      HitFilter* filter) const {
+    ShadowContext context{{}, filter, ray.from, target, count};
     rtcInitIntersectContext(&context.embree);
     RTCRay query = to_embree(ray, Nearest, farthest);
     rtcOccluded1(top, &context.embree, &query);
@@ -207,16 +242,16 @@ bool RayCaster::serves(const Geometry& geometry) const {
 
 // A ray that hits the triangle that it leaves is continued behind it: rare enough for a second query, which
 // costs other rays nothing, unlike a filter.
-std::optional<TriangleHit> RayCaster::intersect(const Ray& ray) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+std::optional<TriangleHit> RayCaster::intersect(const Ray& ray, HitFilter* filter) const {
+  RayContext context{{}, filter};
+  rtcInitIntersectContext(&context.embree);
   float nearest = Nearest;
   while (true) {
     RTCRayHit query;
     query.ray = to_embree(ray, nearest, Infinity);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scenes_->top, &context, &query);
+    rtcIntersect1(scenes_->top, &context.embree, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     const TriangleId id = {instance_of(query.hit.instID[0]), query.hit.primID};
     if (id != ray.from) return TriangleHit{id, query.hit.u, query.hit.v, query.ray.tfar};
@@ -224,11 +259,14 @@ std::optional<TriangleHit> RayCaster::intersect(const Ray& ray) const {
   }
 }
 
-bool RayCaster::is_occluded(const Ray& ray, const TriangleId& target, std::uint32_t count) const {
-  return scenes_->intersects_any(ray, 1, target, count);
+bool RayCaster::is_occluded(const Ray& ray, const TriangleId& target, std::uint32_t count,
+                            HitFilter* filter) const {
+  return scenes_->intersects_any(ray, 1, target, count, filter);
 }
 
-bool RayCaster::is_unoccluded(const Ray& ray) const { return !scenes_->intersects_any(ray, Infinity, {}, 0); }
+bool RayCaster::is_unoccluded(const Ray& ray, HitFilter* filter) const {
+  return !scenes_->intersects_any(ray, Infinity, {}, 0, filter);
+}
 
 std::vector<TriangleId> RayCaster::triangles_near(const Vec3f& point, float distance) const {
   std::vector<TriangleId> found;

@@ -17,6 +17,21 @@ struct TriangleHit {
   float distance = 0;  ///< in lengths of the ray's direction
 };
 
+/// Decides which hits stop a ray, where triangles can let light pass.
+class HitFilter {
+ public:
+  virtual ~HitFilter() = default;
+
+  /// Called for hits in any order, also for those behind the nearest one that stops the ray. Only triangles
+  /// of meshes with cut-outs are asked for.
+  virtual bool stops(const TriangleHit& hit) = 0;
+
+ protected:
+  HitFilter() = default;
+  HitFilter(const HitFilter&) = default;
+  HitFilter& operator=(const HitFilter&) = default;
+};
+
 /// Intersects rays with the geometry, through Embree, which no other file uses. Its robust mode leaves no
 /// cracks along shared edges of a mesh. A ray aimed at a vertex, which passes it within a few rounding errors
 /// of the distance, can slip through if the triangles at the vertex are small for that distance.
@@ -35,15 +50,16 @@ class RayCaster {
   bool serves(const Geometry& geometry) const;
   bool shares(const RayCaster& other) const { return scenes_ == other.scenes_; }
 
-  /// The nearest triangle in front of the origin.
-  std::optional<TriangleHit> intersect(const Ray& ray) const;
+  /// The nearest triangle in front of the origin that stops the ray; without a filter, all do.
+  std::optional<TriangleHit> intersect(const Ray& ray, HitFilter* filter = nullptr) const;
 
   /// Whether anything lies between the origin and origin + direction, except `count` triangles from `target`
-  /// on: the triangles that the ray ends on do not occlude it.
-  bool is_occluded(const Ray& ray, const TriangleId& target = {}, std::uint32_t count = 0) const;
+  /// on: the triangles that the ray ends on do not occlude it. With a filter, only what stops the ray counts.
+  bool is_occluded(const Ray& ray, const TriangleId& target = {}, std::uint32_t count = 0,
+                   HitFilter* filter = nullptr) const;
 
   /// Whether nothing is in front of the origin, at any distance.
-  bool is_unoccluded(const Ray& ray) const;
+  bool is_unoccluded(const Ray& ray, HitFilter* filter = nullptr) const;
 
   /// Returns the triangles whose bounding boxes reach within this distance of a point, and perhaps some
   /// others, in any order.

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "grf/surface.h"
 #include "renderer/reflectance/geometry.h"
 #include "renderer/transport/scene/ray.h"
 #include "renderer/transport/scene/ray_offset.h"
@@ -16,12 +17,17 @@ struct CompiledSurface {
   Rgb emission = Rgb(0);
   std::uint32_t reflector = InvalidIndex;  ///< InvalidIndex: black
   std::uint32_t texture = InvalidIndex;
+  grf::Opacity opacity;
+  std::uint32_t alpha = InvalidIndex;  ///< the texture whose alpha the opacity reads
   bool is_anisotropic = false;
   /// False if it reflects nothing to paths that were scattered before, except by specular reflection.
   bool interreflects = true;
   /// The tangent without uv is the cross product of this axis and the normal: the y axis of the object,
   /// transformed as normals are, so that tangents follow the parallels of a globe.
   Vec3f axis = Vec3f(0, 1, 0);
+
+  /// Whether it lets light pass, somewhere or in part.
+  bool is_cutout() const { return alpha != InvalidIndex || opacity.value < 1; }
 
   bool operator==(const CompiledSurface&) const = default;
 };

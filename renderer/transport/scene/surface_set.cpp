@@ -10,6 +10,12 @@ CompiledSurface SurfaceSetBuilder::compiled(const grf::Surface& surface, const g
   CompiledSurface result;
   result.colour = resolved.colour;
   result.emission = emitted(resolved.emission.value_or(Rgb(0)));
+  if (effects_.has(Effect::Opacity)) {
+    result.opacity = resolved.opacity;
+    if (result.opacity.reads_alpha()) {
+      result.alpha = textures_.index_of(*resolved.texture, image::Alpha::Kept);
+    }
+  }
   // An emitter without a BRDF reflects nothing; any other face without one is diffuse.
   if (!reflects || (resolved.brdf == nullptr && resolved.emission)) return result;
   if (!effects_.has(Effect::MeasuredData) && reflectors_.reads_data(resolved)) {
@@ -18,7 +24,11 @@ CompiledSurface SurfaceSetBuilder::compiled(const grf::Surface& surface, const g
   }
   result.reflector = reflectors_.index_of(resolved);
   const bool has_texture = resolved.texture != nullptr && effects_.has(Effect::Textures);
-  if (has_texture) result.texture = textures_.index_of(*resolved.texture);
+  if (has_texture) {
+    result.texture = result.alpha != InvalidIndex
+                         ? result.alpha
+                         : textures_.index_of(*resolved.texture, image::Alpha::OverBlack);
+  }
   result.is_anisotropic = effects_.has(Effect::Anisotropy) && reflectors_.is_anisotropic(result.reflector);
   result.interreflects =
       effects_.has(reflectors_.is_diffuse(result.reflector) ? Effect::DiffuseInterreflection
@@ -73,7 +83,7 @@ std::uint32_t SurfaceSetBuilder::index_of(const grf::Mesh& mesh,
 bool SurfaceSetBuilder::needs_uvs(const grf::Mesh& mesh, std::uint32_t first) const {
   const auto surfaces = of(mesh, first);
   return std::any_of(surfaces.begin(), surfaces.end(), [](const CompiledSurface& surface) {
-    return surface.texture != InvalidIndex || surface.is_anisotropic;
+    return surface.texture != InvalidIndex || surface.alpha != InvalidIndex || surface.is_anisotropic;
   });
 }
 

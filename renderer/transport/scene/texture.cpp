@@ -50,7 +50,7 @@ Cover cover(int index, int size, int half_size) {
 
 /// Halves the width.
 Image narrowed(const Image& image) {
-  Image result{(image.width + 1) / 2, image.height, {}};
+  Image result{(image.width + 1) / 2, image.height, {}, {}};
   result.pixels.resize(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
   for (int x = 0; x < result.width; ++x) {
     const Cover columns = cover(x, image.width, result.width);
@@ -68,7 +68,7 @@ Image narrowed(const Image& image) {
 
 /// Halves the height.
 Image lowered(const Image& image) {
-  Image result{image.width, (image.height + 1) / 2, {}};
+  Image result{image.width, (image.height + 1) / 2, {}, {}};
   result.pixels.reserve(static_cast<std::size_t>(result.width) * static_cast<std::size_t>(result.height));
   for (int y = 0; y < result.height; ++y) {
     const Cover rows = cover(y, image.height, result.height);
@@ -89,9 +89,53 @@ float wrapped(float x) {
   return place >= 0 && place < 1 ? place : 0;
 }
 
+constexpr auto MixColours = [](const Rgb& a, const Rgb& b, float t) { return a * (1 - t) + b * t; };
+/// Exact for equal values: rounding must not let light pass where all texels are opaque.
+constexpr auto MixAlphas = [](float a, float b, float t) { return a + (b - a) * t; };
+
+/// Calls `texel` with a column and a row, and interpolates bilinearly by `mix`.
+template <class Texel, class Mix>
+auto bilinear(const Vec2f& uv, int width, int height, const Texel& texel, const Mix& mix) {
+  const float x = wrapped(uv.x) * static_cast<float>(width) - 0.5F;
+  const float y = (1 - wrapped(uv.y)) * static_cast<float>(height) - 0.5F;
+  const float left = std::floor(x);
+  const float top = std::floor(y);
+  const auto wrap = [](float place, int size) {
+    const int i = static_cast<int>(place);
+    return i < 0 ? i + size : i >= size ? i - size : i;
+  };
+  const int x0 = wrap(left, width);
+  const int x1 = wrap(left + 1, width);
+  const int y0 = wrap(top, height);
+  const int y1 = wrap(top + 1, height);
+  const float s = x - left;
+  const float t = y - top;
+  return mix(mix(texel(x0, y0), texel(x1, y0), s), mix(texel(x0, y1), texel(x1, y1), s), t);
+}
+
+/// Interpolates between the mip levels whose texels are about as large as the footprint.
+template <class OfLevel, class Mix>
+auto trilinear(float texels, std::size_t levels, const OfLevel& of_level, const Mix& mix) {
+  if (!(texels > 1)) return of_level(0);
+  const float level = std::log2(texels);
+  const float last = static_cast<float>(levels - 1);
+  if (level >= last) return of_level(levels - 1);
+  const float below = std::floor(level);
+  const auto index = static_cast<std::size_t>(below);
+  const float t = level - below;
+  return mix(of_level(index), of_level(index + 1), t);
+}
+
 }  // namespace
 
-Image halved(const Image& image) { return lowered(narrowed(image)); }
+Image halved(const Image& image) {
+  Image result = lowered(narrowed(image));
+  if (image.alpha.empty()) return result;
+  Image alpha{image.width, image.height, {}, {}};
+  for (const float value : image.alpha) alpha.pixels.emplace_back(value);
+  for (const Rgb& value : lowered(narrowed(alpha)).pixels) result.alpha.push_back(value.x);
+  return result;
+}
 
 Texture::Texture(Image image) {
   repair(image);
@@ -112,6 +156,7 @@ void Texture::repair(Image& image) {
     }
     if (!is_right) ++invalid_texels_;
   }
+  for (float& alpha : image.alpha) alpha = alpha > 0 ? std::min(alpha, 1.0F) : 0;
 }
 
 template <class Channel, class Encode>
@@ -122,17 +167,16 @@ void Texture::store(Image image, std::vector<Channel> channels, const Encode& en
     for (const Rgb& pixel : image.pixels) {
       for (int k = 0; k < 3; ++k) channels.push_back(encode(pixel[k]));
     }
+    alpha_.insert(alpha_.end(), image.alpha.begin(), image.alpha.end());
     if (image.pixels.size() == 1) break;
     image = halved(image);
   }
   channels.shrink_to_fit();
+  alpha_.shrink_to_fit();
   channels_ = std::move(channels);
 }
 
-Rgb Texture::texel(const Level& level, int x, int y) const {
-  const std::size_t index = level.first +
-                            static_cast<std::size_t>(y) * static_cast<std::size_t>(level.width) +
-                            static_cast<std::size_t>(x);
+Rgb Texture::texel(std::size_t index) const {
   if (const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&channels_)) {
     const SrgbTable& linear = srgb_table();
     const std::uint8_t* texel = &(*bytes)[3 * index];
@@ -144,38 +188,35 @@ Rgb Texture::texel(const Level& level, int x, int y) const {
 
 Rgb Texture::lookup_level(const Vec2f& uv, std::size_t level) const {
   const Level& texels = levels_[level];
-  const float x = wrapped(uv.x) * static_cast<float>(texels.width) - 0.5F;
-  const float y = (1 - wrapped(uv.y)) * static_cast<float>(texels.height) - 0.5F;
-  const float left = std::floor(x);
-  const float top = std::floor(y);
-  const auto wrap = [](float place, int size) {
-    const int i = static_cast<int>(place);
-    return i < 0 ? i + size : i >= size ? i - size : i;
-  };
-  const int x0 = wrap(left, texels.width);
-  const int x1 = wrap(left + 1, texels.width);
-  const int y0 = wrap(top, texels.height);
-  const int y1 = wrap(top + 1, texels.height);
-  const float s = x - left;
-  const float t = y - top;
-  return (texel(texels, x0, y0) * (1 - s) + texel(texels, x1, y0) * s) * (1 - t) +
-         (texel(texels, x0, y1) * (1 - s) + texel(texels, x1, y1) * s) * t;
+  const auto at = [&](int x, int y) { return texel(index_of(texels, x, y)); };
+  return bilinear(uv, texels.width, texels.height, at, MixColours);
+}
+
+float Texture::texels_across(float footprint) const {
+  return footprint * std::sqrt(static_cast<float>(width()) * static_cast<float>(height()));
 }
 
 Rgb Texture::lookup(const Vec2f& uv, float footprint) const {
-  const float texels = footprint * std::sqrt(static_cast<float>(width()) * static_cast<float>(height()));
-  if (!(texels > 1)) return lookup_level(uv, 0);
-  const float level = std::log2(texels);
-  const float last = static_cast<float>(levels_.size() - 1);
-  if (level >= last) return lookup_level(uv, levels_.size() - 1);
-  const float below = std::floor(level);
-  const auto index = static_cast<std::size_t>(below);
-  const float t = level - below;
-  return lookup_level(uv, index) * (1 - t) + lookup_level(uv, index + 1) * t;
+  const auto at = [&](std::size_t level) { return lookup_level(uv, level); };
+  const Rgb colour = trilinear(texels_across(footprint), levels_.size(), at, MixColours);
+  if (alpha_.empty()) return colour;
+  const float opaque = alpha(uv, footprint);
+  return opaque > 0 ? colour / opaque : Rgb(0);
+}
+
+float Texture::alpha(const Vec2f& uv, float footprint) const {
+  if (alpha_.empty()) return 1;
+  const auto at = [&](std::size_t level) {
+    const Level& texels = levels_[level];
+    const auto texel_at = [&](int x, int y) { return alpha_[index_of(texels, x, y)]; };
+    return bilinear(uv, texels.width, texels.height, texel_at, MixAlphas);
+  };
+  return trilinear(texels_across(footprint), levels_.size(), at, MixAlphas);
 }
 
 std::size_t Texture::bytes() const {
-  return std::visit([](const auto& channels) { return channels.size() * sizeof(channels[0]); }, channels_);
+  return alpha_.size() * sizeof(float) +
+         std::visit([](const auto& channels) { return channels.size() * sizeof(channels[0]); }, channels_);
 }
 
 }  // namespace transport

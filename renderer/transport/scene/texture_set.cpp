@@ -1,8 +1,8 @@
 #include "renderer/transport/scene/texture_set.h"
 
+#include <map>
 #include <optional>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,29 +23,30 @@ struct Read {
 class FilesBefore {
  public:
   explicit FilesBefore(std::span<const TextureFile> files) {
-    for (const TextureFile& file : files) by_path_.try_emplace(file.path, &file);
+    for (const TextureFile& file : files) by_path_.try_emplace({file.path, file.alpha}, &file);
   }
 
   /// Returns the texture of a file that has not changed since it was read, or null.
   std::shared_ptr<const Texture> texture_of(const TextureFile& file) const {
-    const auto known = by_path_.find(file.path);
+    const auto known = by_path_.find({file.path, file.alpha});
     return known != by_path_.end() && known->second->is_same_as(file) ? known->second->texture : nullptr;
   }
 
  private:
-  std::unordered_map<std::string_view, const TextureFile*> by_path_;
+  std::map<std::pair<std::string_view, image::Alpha>, const TextureFile*> by_path_;
 };
 
-void read(const std::string& path, const grf::SourceLocation& asked_for_at,
+void read(const std::string& path, image::Alpha alpha, const grf::SourceLocation& asked_for_at,
           const image::ImageReader& read_image, const FilesBefore& before, Read& result) {
   TextureFile& file = result.file;
   file.path = grf::canonical_path(path);
+  file.alpha = alpha;
   std::error_code missing;  // which reading reports
   file.changed = std::filesystem::last_write_time(file.path, missing);
   if (!missing) file.texture = before.texture_of(file);
   if (!file.texture) {
-    auto image = read_image(path, result.diagnostics, asked_for_at);
-    if (!image) image = image::Image{1, 1, {reflectance::Rgb(1)}};
+    auto image = read_image(path, result.diagnostics, asked_for_at, alpha);
+    if (!image) image = image::Image{1, 1, {reflectance::Rgb(1)}, {}};
     file.texture = std::make_shared<const Texture>(std::move(*image));
   }
   const std::size_t wrong = file.texture->invalid_texels();
@@ -58,12 +59,12 @@ void read(const std::string& path, const grf::SourceLocation& asked_for_at,
 
 }  // namespace
 
-std::uint32_t TextureSetBuilder::index_of(const grf::Texture& texture) {
+std::uint32_t TextureSetBuilder::index_of(const grf::Texture& texture, image::Alpha alpha) {
   const auto& file = texture.location.file;
   const std::string path = file ? grf::path_beside(file->path, texture.file) : texture.file;
-  const auto [known, is_new] =
-      index_by_path_.try_emplace(grf::canonical_path(path), static_cast<std::uint32_t>(files_.size()));
-  if (is_new) files_.push_back({path, texture.location});
+  const auto [known, is_new] = index_by_path_.try_emplace({grf::canonical_path(path), alpha},
+                                                          static_cast<std::uint32_t>(files_.size()));
+  if (is_new) files_.push_back({path, alpha, texture.location});
   return known->second;
 }
 
@@ -71,7 +72,7 @@ std::vector<TextureFile> TextureSetBuilder::build(std::span<const TextureFile> b
   std::vector<Read> results(files_.size());
   const FilesBefore known(before);
   parallel::for_each_index(files_.size(), [&](std::size_t i) {
-    read(files_[i].path, files_[i].asked_for_at, read_image_, known, results[i]);
+    read(files_[i].path, files_[i].alpha, files_[i].asked_for_at, read_image_, known, results[i]);
   });
   std::vector<TextureFile> textures;
   for (Read& result : results) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "grf/diagnostics.h"
@@ -17,20 +18,24 @@ namespace transport {
 /// An image file at the time when it was read.
 struct TextureFile {
   std::string path;
+  image::Alpha alpha = image::Alpha::OverBlack;
   std::filesystem::file_time_type changed;
   std::shared_ptr<const Texture> texture;
 
-  bool is_same_as(const TextureFile& other) const { return path == other.path && changed == other.changed; }
+  bool is_same_as(const TextureFile& other) const {
+    return path == other.path && alpha == other.alpha && changed == other.changed;
+  }
 };
 
-/// Collects the image files that surfaces name, and reads each once.
+/// Collects the image files that surfaces name, and reads each once, or twice if some surfaces need its alpha
+/// and others do not.
 class TextureSetBuilder {
  public:
   TextureSetBuilder(const image::ImageReader& read_image, grf::Diagnostics& diagnostics)
       : read_image_(read_image), diagnostics_(diagnostics) {}
 
   /// Returns the index that a surface's texture will have.
-  std::uint32_t index_of(const grf::Texture& texture);
+  std::uint32_t index_of(const grf::Texture& texture, image::Alpha alpha);
 
   /// Reads all files, in parallel, except those that were read before and have not changed. One that cannot
   /// be read is an error at its first use, and leaves a white texture.
@@ -39,13 +44,14 @@ class TextureSetBuilder {
  private:
   struct File {
     std::string path;
+    image::Alpha alpha;
     grf::SourceLocation asked_for_at;
   };
 
   const image::ImageReader& read_image_;
   grf::Diagnostics& diagnostics_;
   std::vector<File> files_;
-  std::map<std::string, std::uint32_t> index_by_path_;
+  std::map<std::pair<std::string, image::Alpha>, std::uint32_t> index_by_path_;
 };
 
 }  // namespace transport
