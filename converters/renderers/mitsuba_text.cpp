@@ -89,6 +89,7 @@ class MitsubaWriter {
   void put_base(const WrittenMaterial& material);
   void put_diffuse(const WrittenMaterial& material);
   void put_mirror(const grf::Colour& reflectance);
+  void put_material_of(const WrittenShape& shape);
   void put_shape(const WrittenShape& shape);
   void put_object(std::size_t index);
   void put_instance(const RenderInstance& instance);
@@ -192,13 +193,29 @@ void MitsubaWriter::put_material(std::size_t index) {
   });
 }
 
+void MitsubaWriter::put_material_of(const WrittenShape& shape) {
+  const std::string reference = fmt::format("<ref id=\"material_{}\"/>", shape.material + 1);
+  if (shape.opacity_image.empty() && shape.opacity >= 1) return put(reference);
+  plugin("bsdf", "mask", "", [&] {
+    if (shape.opacity_image.empty()) {
+      number("opacity", shape.opacity);
+    } else {
+      plugin("texture", "bitmap", " name=\"opacity\"", [&] {
+        parameter("string", "filename", shape.opacity_image);
+        parameter("boolean", "raw", "true");
+      });
+    }
+    put(reference);
+  });
+}
+
 // Without normals of vertices, Mitsuba would compute some.
 void MitsubaWriter::put_shape(const WrittenShape& shape) {
   plugin("shape", "ply", "", [&] {
     parameter("string", "filename", shape.mesh);
     if (!shape.has_normals) parameter("boolean", "face_normals", "true");
     if (shape.has_uvs) parameter("boolean", "flip_tex_coords", "true");
-    put(fmt::format("<ref id=\"material_{}\"/>", shape.material + 1));
+    put_material_of(shape);
     if (shape.emission) plugin("emitter", "area", "", [&] { colour("radiance", *shape.emission); });
   });
 }

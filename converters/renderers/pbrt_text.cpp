@@ -68,7 +68,8 @@ class PbrtWriter {
   void put_material(std::size_t index);
   void put_base(const std::string& name, const WrittenMaterial& material);
   void put_mirror(const std::string& name, const grf::Colour& reflectance);
-  void put_image(const std::string& name, const std::string& file, std::string_view filter);
+  void put_image(const std::string& name, const std::string& file, std::string_view filter,
+                 std::string_view type = "spectrum");
   void put_shape(const WrittenShape& shape);
   void put_object(std::size_t index);
   void put_instance(const RenderInstance& instance);
@@ -76,6 +77,7 @@ class PbrtWriter {
   const WrittenScene& scene_;
   std::string text_;
   std::size_t images_ = 0;
+  std::size_t opacity_images_ = 0;
 };
 
 void PbrtWriter::put_options() {
@@ -112,9 +114,10 @@ void PbrtWriter::put_surroundings() {
   }
 }
 
-void PbrtWriter::put_image(const std::string& name, const std::string& file, std::string_view filter) {
-  put("Texture {} \"spectrum\" \"imagemap\" \"string filename\" [ {} ] \"string filter\" [ \"{}\" ]\n",
-      pbrt_string(name), pbrt_string(file), filter);
+void PbrtWriter::put_image(const std::string& name, const std::string& file, std::string_view filter,
+                           std::string_view type) {
+  put("Texture {} \"{}\" \"imagemap\" \"string filename\" [ {} ] \"string filter\" [ \"{}\" ]\n",
+      pbrt_string(name), type, pbrt_string(file), filter);
 }
 
 void PbrtWriter::put_base(const std::string& name, const WrittenMaterial& material) {
@@ -168,7 +171,18 @@ void PbrtWriter::put_shape(const WrittenShape& shape) {
     put("  Material \"diffuse\" \"texture reflectance\" [ {} ]\n", pbrt_string(image));
   }
   if (shape.emission) put("  AreaLightSource \"diffuse\" \"rgb L\" [ {} ]\n", words(*shape.emission));
-  put("  Shape \"plymesh\" \"string filename\" [ {} ]\nAttributeEnd\n", pbrt_string(shape.mesh));
+  const std::string opacity = fmt::format("opacity {}", opacity_images_ + 1);
+  if (!shape.opacity_image.empty()) {
+    ++opacity_images_;
+    put_image(opacity, shape.opacity_image, "bilinear", "float");
+  }
+  put("  Shape \"plymesh\" \"string filename\" [ {} ]", pbrt_string(shape.mesh));
+  if (!shape.opacity_image.empty()) {
+    put(" \"texture alpha\" [ {} ]", pbrt_string(opacity));
+  } else if (shape.opacity < 1) {
+    put(" \"float alpha\" [ {} ]", shape.opacity);
+  }
+  put("\nAttributeEnd\n");
 }
 
 void PbrtWriter::put_object(std::size_t index) {
@@ -193,6 +207,7 @@ RenderTarget pbrt_target() {
   target.suffix = "pbrt";
   target.material.colours = reflectance::RglColours::Spectra;
   target.material.has_ggx_conductor = true;
+  target.masks_emission = true;
   target.surroundings = equal_area_image;
   return target;
 }

@@ -55,6 +55,7 @@ std::size_t RenderSceneBuilder::material_of(grf::ResolvedSurface surface, const 
   if (is_unlit) surface.colour = grf::Colour(0);
   if (is_unlit) surface.texture = nullptr;
   const std::string texture = surface.texture != nullptr ? surface.texture->file : "";
+  const bool reads_alpha = !texture.empty() && surface.opacity.reads_alpha();
   const bool is_coloured = !is_unlit && !shape.mesh->geometry->colours.empty();
   const bool varies = is_coloured && texture.empty() && grf::same_keyword(model.keyword, "diffuse");
   if (is_coloured && !varies) {
@@ -62,14 +63,15 @@ std::size_t RenderSceneBuilder::material_of(grf::ResolvedSurface surface, const 
     scene_.losses.add(Loss::BrdfVertexColour, faces);
   }
   const grf::Colour& colour = surface.colour;
-  const std::string key = fmt::format("{} {} {} {} {} {}", maker_.identity(model, surface.brdf_scope),
-                                      colour.x, colour.y, colour.z, varies, texture);
+  const std::string key = fmt::format("{} {} {} {} {} {} {}", maker_.identity(model, surface.brdf_scope),
+                                      colour.x, colour.y, colour.z, varies, reads_alpha, texture);
   const auto [known, is_new] = material_of_key_.emplace(key, scene_.materials.size());
   if (is_new) {
     auto brdf = maker_.make(model, surface.brdf_scope);
     has_failed_ = has_failed_ || !brdf;
     scene_.materials.push_back({is_unlit ? "black" : grf::lower_case(model.keyword),
-                                brdf.value_or(reflectance::default_brdf()), colour, texture, varies});
+                                brdf.value_or(reflectance::default_brdf()), colour, texture, reads_alpha,
+                                varies});
   }
   scene_.materials[known->second].faces += faces;
   return known->second;
@@ -106,6 +108,8 @@ std::vector<RenderShape> RenderSceneBuilder::shapes_of(const grf::Mesh& mesh,
     if (surface.emission && !reflectance::is_black(*surface.emission)) shape.emission = surface.emission;
     if (shape.emission && !mesh.geometry->normals.empty()) scene_.losses.add(Loss::EmitterNormal, faces[i]);
     if (surface.pdf != nullptr) scene_.losses.add(Loss::SamplingScheme, faces[i]);
+    shape.opacity = surface.opacity;
+    if (surface.opacity.reads_alpha()) shape.alpha = surface.texture->file;
     shapes.push_back(std::move(shape));
   }
   return shapes;

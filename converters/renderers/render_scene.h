@@ -21,10 +21,11 @@ namespace convert {
 
 /// The reflection of a shape.
 struct RenderMaterial {
-  std::string name;                 ///< the keyword of its model; not unique
-  reflectance::Brdf brdf;           ///< without the colour
-  grf::Colour colour;               ///< multiplies the BRDF; 0 for faces that reflect nothing
-  std::string texture;              ///< path of an image that multiplies it, too; empty: none
+  std::string name;          ///< the keyword of its model; not unique
+  reflectance::Brdf brdf;    ///< without the colour
+  grf::Colour colour;        ///< multiplies the BRDF; 0 for faces that reflect nothing
+  std::string texture;       ///< path of an image that multiplies it, too; empty: none
+  bool reads_alpha = false;  ///< the opacity of its shapes does: only the colours of opaque parts count
   bool has_vertex_colours = false;  ///< the colours of vertices multiply it; only if it is diffuse
   std::size_t faces = 0;            ///< that have it, instances not counted
 };
@@ -37,6 +38,8 @@ struct RenderShape {
   grf::Matrix44d to_world;  ///< the identity for a part of an instanced object
   std::size_t material = 0;
   std::optional<grf::Colour> emission;  ///< radiance from the front, W/(sr m2); none if black
+  grf::Opacity opacity;
+  std::string alpha;  ///< path of the image whose alpha the opacity reads; empty: none
 };
 
 /// An instance of shapes that are placed several times.

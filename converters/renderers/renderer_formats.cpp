@@ -71,7 +71,7 @@ bool sniff_mitsuba(std::string_view bytes) {
 constexpr std::string_view Kept =
     "faces in their order, as triangles, normals, texture coordinates, instances, area lights, BRDFs (as "
     "tables, where the renderer has no such model), colours of faces and vertices, textures of diffuse "
-    "faces; with an OP file its camera, lens, film size, samples, depth and environment map";
+    "faces, opacity; with an OP file its camera, lens, film size, samples, depth and environment map";
 constexpr std::string_view Lost =
     "polygons (cut into triangles), names, sampling schemes, irradiance, textures of BRDFs that are not "
     "diffuse, normals of emitting faces, backplates, camera paths";

@@ -44,6 +44,10 @@ constexpr std::array PbrtMaterials = {
                  R"(brdf diffuse kd=0.5 texture "wood.png")", R"("texture reflectance")", ""},
     MaterialRule{"`texture` of other faces", "the mean colour of the image",
                  R"(brdf lewis n=20 texture "wood.png")", R"("measured" ])", "mean colour of its texture"},
+    MaterialRule{"`opacity` with a number", "`alpha` of the shape", "brdf diffuse kd=0.5 opacity 0.25",
+                 R"("float alpha" [ 0.25 ])", ""},
+    MaterialRule{"`opacity` with `mask` or `blend`", "`alpha` of the shape is an `imagemap` of the opacity",
+                 R"(brdf diffuse kd=0.5 texture "wood.png" opacity mask 0.5)", R"("texture alpha")", ""},
 };
 
 constexpr std::array MitsubaMaterials = {
@@ -80,6 +84,13 @@ constexpr std::array MitsubaMaterials = {
     MaterialRule{"`texture` of other faces", "the mean colour of the image",
                  R"(brdf lewis n=20 texture "wood.png")", R"(<bsdf type="measured">)",
                  "mean colour of its texture"},
+    MaterialRule{"`opacity` with a number", "`mask`", "brdf diffuse kd=0.5 opacity 0.25",
+                 R"(<float name="opacity" value="0.25"/>)", ""},
+    MaterialRule{"`opacity` with `mask` or `blend`", "`mask`; `opacity` is a `bitmap` of the opacity",
+                 R"(brdf diffuse kd=0.5 texture "wood.png" opacity mask 0.5)",
+                 R"(<texture type="bitmap" name="opacity">)", ""},
+    MaterialRule{"`opacity` of a face that emits", "`mask`, which does not change the emission",
+                 "light rgb (4, 2, 1) opacity 0.5", R"(<bsdf type="mask">)", "its opacity"},
 };
 
 }  // namespace

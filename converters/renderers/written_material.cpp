@@ -40,6 +40,14 @@ void multiply(image::Image& image, const grf::Colour& colour) {
   }
 }
 
+/// Makes the colours those of what is opaque.
+void divide_by_alpha(image::Image& image) {
+  for (std::size_t i = 0; i < image.alpha.size(); ++i) {
+    if (image.alpha[i] > 0) image.pixels[i] /= image.alpha[i];
+  }
+  image.alpha = {};
+}
+
 grf::Colour mean_of(const image::Image& image) {
   grf::Vec3d sum(0);
   for (const grf::Colour& pixel : image.pixels) sum += grf::Vec3d(pixel);
@@ -78,8 +86,10 @@ class MaterialWriter {
 // The texture of a BRDF that is tabulated counts with its mean.
 bool MaterialWriter::take_texture() {
   if (material_.texture.empty()) return true;
-  image_ = image::read_image(material_.texture, diagnostics_);
+  const auto alpha = material_.reads_alpha ? image::Alpha::Kept : image::Alpha::OverBlack;
+  image_ = image::read_image(material_.texture, diagnostics_, {}, alpha);
   if (!image_) return false;
+  divide_by_alpha(*image_);
   if (std::holds_alternative<reflectance::Diffuse>(material_.brdf)) return true;
   multiply(*image_, grf::Colour(1));
   colour_ *= mean_of(*image_);

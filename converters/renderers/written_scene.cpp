@@ -1,10 +1,14 @@
 #include "converters/renderers/written_scene.h"
 
+#include <map>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "converters/ply/write_ply.h"
 #include "converters/renderers/shape_geometry.h"
 #include "grf/relocate.h"
+#include "grf/write.h"
 #include "renderer/options/op_file.h"
 
 namespace convert {
@@ -26,6 +30,7 @@ class SceneFilesWriter {
  private:
   bool write_materials(const std::vector<RenderMaterial>& materials);
   bool write_shape(const RenderShape& shape, std::vector<WrittenShape>& written);
+  bool write_opacity(const RenderShape& shape, std::size_t faces, WrittenShape& written);
   bool write_surroundings();
 
   WrittenScene& written_;
@@ -33,6 +38,7 @@ class SceneFilesWriter {
   SceneFolder folder_;
   Losses& losses_;
   grf::Diagnostics& diagnostics_;
+  std::map<std::string, std::string> opacity_images_;  ///< by path and opacity
 };
 
 bool SceneFilesWriter::write_materials(const std::vector<RenderMaterial>& materials) {
@@ -49,7 +55,7 @@ bool SceneFilesWriter::write_shape(const RenderShape& shape, std::vector<Written
   GeometryNeeds needs;
   // The side to which a face emits must not depend on the normals of its vertices.
   needs.normals = !shape.emission;
-  needs.uvs = !material.image.empty() || material.is_anisotropic;
+  needs.uvs = !material.image.empty() || !shape.alpha.empty() || material.is_anisotropic;
   needs.tangents = material.is_anisotropic;
   if (material.has_vertex_colours) needs.vertex_colours = material.reflectance;
   grf::MeshDraft mesh = geometry_of(shape, needs);
@@ -62,6 +68,7 @@ bool SceneFilesWriter::write_shape(const RenderShape& shape, std::vector<Written
     written.image = folder_.add_image("colours", bake_vertex_colours(mesh), diagnostics_);
     if (written.image.empty()) return false;
   }
+  if (!write_opacity(shape, mesh.face_count(), written)) return false;
   written.has_normals = !mesh.normals.empty();
   written.has_uvs = !mesh.uvs.empty();
   const SceneFolder::Name name = folder_.next("mesh", "ply", diagnostics_);
@@ -69,6 +76,32 @@ bool SceneFilesWriter::write_shape(const RenderShape& shape, std::vector<Written
   written.mesh = name.in_scene;
   shapes.push_back(std::move(written));
   return true;
+}
+
+/// Returns what the alpha of an image makes of a face, as grey.
+image::Image opacity_of(image::Image image, const grf::Opacity& opacity) {
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const float alpha = image.alpha.empty() ? 1 : image.alpha[i];
+    const bool is_mask = opacity.kind == grf::Opacity::Kind::Mask;
+    image.pixels[i] = grf::Colour(is_mask ? (alpha >= opacity.value ? 1.0F : 0.0F) : alpha * opacity.value);
+  }
+  image.alpha = {};
+  return image;
+}
+
+bool SceneFilesWriter::write_opacity(const RenderShape& shape, std::size_t faces, WrittenShape& written) {
+  if (shape.opacity == grf::Opacity()) return true;
+  if (shape.emission && !target_.masks_emission) losses_.add(Loss::Opacity, faces);
+  written.opacity = grf::shortest(shape.opacity.value);
+  if (shape.alpha.empty()) return true;
+  std::string& name = opacity_images_[fmt::format("{} {}", shape.alpha, grf::to_text(shape.opacity))];
+  if (name.empty()) {
+    auto image = image::read_image(shape.alpha, diagnostics_, {}, image::Alpha::Kept);
+    if (image)
+      name = folder_.add_image("opacity", opacity_of(*std::move(image), shape.opacity), diagnostics_);
+  }
+  written.opacity_image = name;
+  return !name.empty();
 }
 
 bool SceneFilesWriter::write_surroundings() {

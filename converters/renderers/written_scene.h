@@ -21,6 +21,8 @@ struct WrittenShape {
   std::size_t material = 0;
   std::string image;  ///< of the colours of its vertices, times the material's reflectance; may be empty
   std::optional<grf::Colour> emission;
+  double opacity = 1;         ///< unless an image has it
+  std::string opacity_image;  ///< grey; may be empty
   bool has_normals = false;
   bool has_uvs = false;
 };
@@ -40,6 +42,7 @@ struct WrittenScene {
 struct RenderTarget {
   std::string suffix;  ///< of the folder's name
   MaterialTarget material;
+  bool masks_emission = false;       ///< absent parts of faces emit nothing
   bool has_mesh_attributes = false;  ///< else colours of vertices become images
   /// Resamples the image around a scene.
   image::Image (*surroundings)(const Surroundings& surroundings) = nullptr;

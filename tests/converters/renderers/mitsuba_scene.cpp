@@ -69,6 +69,7 @@ const std::map<std::string, Plugin>& plugins() {
       {"bsdf measured", {{{"filename", "string"}}, {}, {"filename"}}},
       {"bsdf conductor", {{{"material", "string"}, {"specular_reflectance", "rgb texture"}}}},
       {"bsdf blendbsdf", {{{"weight", "float texture"}}, {{"bsdf", 2}}}},
+      {"bsdf mask", {{{"opacity", "float texture"}}, {{"bsdf", 1}}}},
       {"texture bitmap",
        {{{"filename", "string"},
          {"filter_type", "string"},
@@ -235,6 +236,7 @@ void Parser::check_value(const MitsubaElement& element, const std::string& name,
     require(axes.contains(value), "fov_axis");
   }
   if (name == "fov") require(std::stod(value) > 0 && std::stod(value) < 180, "fov");
+  if (name == "opacity") require(std::stod(value) >= 0 && std::stod(value) <= 1, "opacity");
   if (name == "weight") require(std::stod(value) >= 0 && std::stod(value) <= 1, "weight");
   if (name == "material") require(value == "none", "only `none` is expected");
   if (name == "filename") {
@@ -338,6 +340,7 @@ void Parser::parse_inside(MitsubaElement& element, const Plugin& plugin) {
     count += element.all(kind).size();
     require(count <= most, fmt::format("too many of {} in {}", kind, element.type));
     require(element.type != "twosided" || count == 1, "twosided needs a BSDF");
+    require(element.type != "mask" || count == 1, "mask needs a BSDF");
     require(element.type != "blendbsdf" || count == 2, "blendbsdf needs two BSDFs");
   }
   // Emitters cannot be instanced.

@@ -174,6 +174,7 @@ class Parser {
   bool in_world_ = false;
   std::string object_;
   std::set<std::string> objects_;
+  std::set<std::string> float_textures_;
   std::vector<State> states_ = {State()};
   std::vector<std::string> blocks_;
   PbrtScene scene_;
@@ -257,7 +258,12 @@ void Parser::check_values(const std::string& name, const PbrtParameter& paramete
   if (type == "bool") require(parameter.strings[0] == "true" || parameter.strings[0] == "false", name);
   if (const auto words = WordsOf.find(name); words != WordsOf.end())
     require(words->second.contains(parameter.strings[0]), name + ": unknown word");
-  if (type == "texture") require(scene_.textures.contains(parameter.strings[0]), name + ": no such texture");
+  if (type == "texture") {
+    require(scene_.textures.contains(parameter.strings[0]), name + ": no such texture");
+    require((name == "alpha") == float_textures_.contains(parameter.strings[0]), name + ": of another type");
+  }
+  if (name == "alpha" && type == "float")
+    require(parameter.numbers[0] >= 0 && parameter.numbers[0] <= 1, "an alpha out of range");
 }
 
 void Parser::parameter(const std::string& kind, PbrtEntity& entity) {
@@ -390,9 +396,11 @@ void Parser::named_material() {
 
 void Parser::texture() {
   const std::string name = take_string();
-  require(take_string() == "spectrum", "only textures of spectra are expected");
+  const std::string type = take_string();
+  require(type == "spectrum" || type == "float", "a texture is of spectra or of floats");
   const std::string plugin = take_string();
   require(scene_.textures.emplace(name, entity("Texture", plugin)).second, name + " is made twice");
+  if (type == "float") float_textures_.insert(name);
 }
 
 void Parser::shape() {

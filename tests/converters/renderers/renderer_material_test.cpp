@@ -2,6 +2,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -151,6 +152,52 @@ TEST(RendererTextures, OfDiffuseFacesIncludeTheColour) {
   const Vec3d expected = 0.5 / M_PI * Vec3d(0.5, 1, 1) * Vec3d(1.5 / 4);
   EXPECT_LT((evaluate(table, {0, 0, 1}, {0.6, 0, 0.8}) - expected).length(), 0.002);
   EXPECT_THAT(glossy.pbrt_warnings(), HasSubstr("has the mean colour of its texture"));
+}
+
+TEST(RendererOpacity, IsThatOfShapes) {
+  const ExportedScene scene(cube("brdf diffuse", {"opacity 0.25", "", "", "", "", ""}));
+  std::vector<double> of_pbrt;
+  for (const test::PbrtShape& shape : scene.pbrt().shapes) {
+    const auto alpha = shape.shape.parameters.find("alpha");
+    of_pbrt.push_back(alpha == shape.shape.parameters.end() ? 1 : alpha->second.numbers.at(0));
+  }
+  EXPECT_THAT(of_pbrt, testing::Contains(0.25));
+  for (const test::MitsubaElement& shape : scene.mitsuba().all("shape")) {
+    const auto masks = shape.all("bsdf");
+    if (masks.empty()) continue;
+    EXPECT_EQ(masks[0].number("opacity"), 0.25);
+    EXPECT_EQ(masks[0].references.size(), 1U);
+  }
+  EXPECT_THAT(scene.pbrt_warnings(), testing::Not(HasSubstr("opacity")));
+}
+
+TEST(RendererOpacity, IsAnImageWhereAlphaDecides) {
+  const test::TemporaryFolder files;
+  // Two pixels of red with an alpha of 0.2 and 1, bottom up, blue first.
+  files.add("leaf.tga", std::string("\0\0\2\0\0\0\0\0\0\0\0\0\2\0\1\0\x20\x08", 18) +
+                            std::string("\0\0\xff\x33\0\0\xff\xff", 8));
+  const auto exported = [&](const std::string& opacity) {
+    return ExportedScene("begin mesh brdf diffuse kd=0.5 texture \"leaf.tga\" opacity " + opacity +
+                             " begin vertexs uv (0, 0) (0,0,0) uv (1, 0) (1,0,0) uv (0, 1) (0,1,0) end begin "
+                             "faces (0,1,2) end end",
+                         {}, files);
+  };
+  for (const auto& [opacity, left, right] :
+       {std::tuple("mask 0.5", 0.0F, 1.0F), {"mask 0.125", 1.0F, 1.0F}, {"blend 0.5", 0.1F, 0.5F}}) {
+    const ExportedScene scene = exported(opacity);
+    const std::string texture = scene.pbrt().shapes.at(0).shape.string("alpha");
+    const test::MitsubaElement mask = scene.mitsuba().child("shape").child("bsdf");
+    const test::MitsubaElement& bitmap = mask.child("texture");
+    EXPECT_EQ(bitmap.values.at("raw"), "true");
+    for (const std::string& name :
+         {scene.pbrt().textures.at(texture).string("filename"), bitmap.values.at("filename")}) {
+      EXPECT_NEAR(scene.image(name).at(0, 0).x, left, 1e-3) << opacity;
+      EXPECT_NEAR(scene.image(name).at(1, 0).x, right, 1e-3) << opacity;
+    }
+    const std::string reflectance = only_pbrt_material(scene).string("reflectance");
+    const image::Image colours = scene.image(scene.pbrt().textures.at(reflectance).string("filename"));
+    EXPECT_NEAR(colours.at(0, 0).x, 0.5, 1e-3) << "of its opaque part";
+  }
 }
 
 TEST(RendererFormats, AreOnlyWritten) {
