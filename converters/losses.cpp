@@ -28,7 +28,7 @@ LossText text_of(Loss loss) {
       return {"face lost its texture coordinates", "faces lost their texture coordinates",
               "the format has none"};
     case Loss::Transparency:
-      return {"face lost its transparency", "faces lost their transparency", "GRF surfaces are opaque"};
+      return {"face lost its transparency", "faces lost their transparency", "it is read as opaque"};
     case Loss::SmoothingGroup:
       return {"face lost its smoothing group", "faces lost their smoothing group",
               "the file has no normals, so that faces are flat"};
@@ -110,6 +110,11 @@ LossText text_of(Loss loss) {
       return {"light was left out", "lights were left out", "the format has none with an area"};
     case Loss::Emission:
       return {"face lost its emission", "faces lost their emission", "the format has none"};
+    case Loss::Opacity:
+      return {"face lost its opacity", "faces lost their opacity", "the format has none"};
+    case Loss::Cutoff:
+      return {"face lost the cutoff of its opacity", "faces lost the cutoff of their opacity",
+              "the format has none"};
     case Loss::FaceColour:
       return {"face lost its colour", "faces lost their colour", "the format has none"};
     case Loss::Normal:
@@ -123,7 +128,7 @@ LossText text_of(Loss loss) {
       return {"mesh lost its name", "meshes lost their name", "the format has none"};
     case Loss::Alpha:
       return {"vertex or face lost its alpha", "vertices or faces lost their alpha",
-              "GRF surfaces are opaque"};
+              "opacity in GRF is of faces, or of textures"};
     case Loss::BadNormal:
       return {"vertex lost its normal", "vertices lost their normal", "it has no direction"};
     case Loss::BadTextureCoordinates:

@@ -50,6 +50,8 @@ enum class Loss {
   Irradiance,
   AreaLight,
   Emission,
+  Opacity,
+  Cutoff,
   // Features that some written formats lack.
   FaceColour,
   Normal,

@@ -26,11 +26,19 @@ class Mapping {
 
   MappedMaterial run() {
     mapped_.definition.body = brdf();
+    add_opacity();
     finish(material_.emission, mapped_);
     return std::move(mapped_);
   }
 
  private:
+  void add_opacity() {
+    const auto value = static_cast<float>(clamped(material_.opacity, 1, mapped_));
+    const bool reads_alpha = material_.reads_alpha && material_.diffuse_map;
+    const grf::Opacity opacity{reads_alpha ? grf::Opacity::Kind::Blend : grf::Opacity::Kind::Number, value};
+    if (opacity != grf::Opacity()) mapped_.opacity = opacity;
+  }
+
   grf::BrdfModel brdf() {
     if (material_.physically_based) {
       GltfBrdf values = *material_.physically_based;

@@ -34,6 +34,8 @@ struct PhongMaterial {
   grf::Vec3d diffuse = grf::Vec3d(0.5);  ///< GRF's default
   grf::Vec3d specular = grf::Vec3d(0);
   grf::Vec3d emission = grf::Vec3d(0);  ///< radiance, W/(sr m2)
+  double opacity = 1;                   ///< a factor of the alpha of the map if that is read
+  bool reads_alpha = false;             ///< of the diffuse map
   std::optional<double> exponent;       ///< Phong exponent, about the mirror direction
   std::optional<grf::Texture> diffuse_map;
   Reflection reflection = Reflection::Glossy;
@@ -51,6 +53,7 @@ struct MappedMaterial {
   grf::Definition definition;
   std::optional<grf::Colour> colour;  ///< multiplies the BRDF
   std::optional<grf::Colour> emission;
+  std::optional<grf::Opacity> opacity;
   std::optional<grf::Texture> texture;  ///< multiplies the BRDF's colours
   std::vector<Loss> losses;
   bool clamped = false;  ///< a value was out of its range

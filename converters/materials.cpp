@@ -22,6 +22,7 @@ grf::Surface Materials::surface(std::size_t material, std::size_t faces, Losses&
   surface.brdf = grf::Reference{mapped.definition.name, {}};
   if (mapped.colour) surface.colour = *mapped.colour;
   surface.emission = mapped.emission;
+  surface.opacity = mapped.opacity;
   if (mapped.texture) surface.texture = *mapped.texture;
   return surface;
 }

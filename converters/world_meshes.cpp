@@ -66,6 +66,10 @@ bool has(Loss loss, const WorldSurface& surface) {
       return surface.colour.has_value();
     case Loss::Emission:
       return surface.emission.has_value();
+    case Loss::Opacity:
+      return surface.opacity != grf::Opacity();
+    case Loss::Cutoff:
+      return surface.opacity.kind == grf::Opacity::Kind::Mask;
     default:
       return false;
   }
@@ -175,6 +179,7 @@ void WorldMeshes::add(const grf::Mesh& mesh, const grf::Placement& placement) {
     surface.pdf = resolved.pdf;
     surface.texture = resolved.texture;
     surface.emission = resolved.emission;
+    surface.opacity = resolved.opacity;
     const auto* name = given.brdf ? std::get_if<grf::Reference>(&*given.brdf) : nullptr;
     if (name == nullptr || resolved.brdf == nullptr || surface.faces == 0) continue;
     surface.material = material_of(*placement.scope.find(name->name));

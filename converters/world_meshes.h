@@ -33,6 +33,7 @@ struct WorldSurface {
   const grf::PdfModel* pdf = nullptr;
   const grf::Texture* texture = nullptr;
   std::optional<grf::Colour> emission;  ///< radiance from the front, W/(sr m2)
+  grf::Opacity opacity;
   std::optional<std::size_t>
       material;           ///< index into the materials of `WorldMeshes`; none if the BRDF has no name
   std::size_t faces = 0;  ///< number of faces with this surface

@@ -33,9 +33,9 @@ Format common() {
   format.keeps =
       "all of a scene that came from GRF (in extras); else polygons as triangles, shared vertices, normals, "
       "texture coordinates, vertex colours, textures, names, transforms, instances, materials with clear "
-      "coats, sheen and anisotropy, emission";
+      "coats, sheen and anisotropy, emission, opacity";
   format.loses =
-      "maps other than of the base colour, transparency, points, lines, cameras, cones of spot lights, "
+      "maps other than of the base colour, transmission, points, lines, cameras, cones of spot lights, "
       "animations; for other programs: BRDFs that are not metallic-roughness, sampling schemes, irradiance";
   format.read_materials = gltf_material_rules();
   format.written_materials = gltf_material_writer_rules();

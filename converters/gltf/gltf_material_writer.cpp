@@ -79,6 +79,18 @@ void add_extensions(json& material, json& root, const GltfBrdf& values) {
   }
 }
 
+void add_opacity(json& material, const grf::Opacity& opacity) {
+  if (opacity == grf::Opacity()) return;
+  const double value = std::clamp(grf::shortest(opacity.value), 0.0, 1.0);
+  if (opacity.kind == grf::Opacity::Kind::Mask) {
+    material["alphaMode"] = "MASK";
+    material["alphaCutoff"] = value;
+  } else {
+    material["alphaMode"] = "BLEND";
+    material["pbrMetallicRoughness"]["baseColorFactor"][3] = value;
+  }
+}
+
 /// Returns the values of a surface's material. Without a BRDF it is grey, or black if it emits.
 GltfBrdf values_of(const grf::ResolvedSurface& surface) {
   GltfBrdf values = surface.brdf != nullptr
@@ -90,7 +102,7 @@ GltfBrdf values_of(const grf::ResolvedSurface& surface) {
 }
 
 /// The table of conversions by `GltfMaterialWriter::material`.
-constexpr std::array<MaterialRule, 8> GltfWriterRules = {{
+constexpr std::array<MaterialRule, 10> GltfWriterRules = {{
     {"`gltf`", "exactly its values", "brdf gltf baseColor=(1, 0.5, 0.25) metallic=0.5 roughness=0.25",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0.5, "
      "\"roughnessFactor\": 0.25}",
@@ -134,6 +146,12 @@ constexpr std::array<MaterialRule, 8> GltfWriterRules = {{
      ""},
     {"`texture`", "`baseColorTexture`", "brdf diffuse kd=0.5 texture \"wood.png\"",
      "\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}", ""},
+    {"`opacity` with a number or `blend`", "`alphaMode` `BLEND`, and the alpha of `baseColorFactor`",
+     "brdf diffuse kd=0.5 opacity 0.25",
+     "\"alphaMode\": \"BLEND\", \"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 0.25]}", ""},
+    {"`opacity` with `mask`", "`alphaMode` `MASK`, `alphaCutoff`",
+     "brdf diffuse kd=0.5 texture \"wood.png\" opacity mask 0.75",
+     "\"alphaMode\": \"MASK\", \"alphaCutoff\": 0.75", ""},
 }};
 
 /// Returns the name of a surface's material: that of its BRDF's definition, or the model's.
@@ -169,6 +187,7 @@ int GltfMaterialWriter::material(const grf::Surface& surface, const grf::Scope& 
     const int place = texture(resolved.texture->file);
     if (place >= 0) pbr["baseColorTexture"] = {{"index", place}};
   }
+  add_opacity(material, resolved.opacity);
   add_extensions(material, document_.json(), values);
   // Reflectance is two-sided in GRF, and emission is not.
   material["doubleSided"] = !resolved.emission;

@@ -71,7 +71,7 @@ TextureLookup lookup_of(int set, const Value* transform) {
 std::string joined(const std::vector<double>& values) { return fmt::format("{}", fmt::join(values, " ")); }
 
 /// The table of conversions by `Reading`.
-constexpr std::array<MaterialRule, 21> GltfRules = {{
+constexpr std::array<MaterialRule, 22> GltfRules = {{
     {"metallic-roughness", "`gltf` with its values, without those that are defaults of the BRDF",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0.5, "
      "\"roughnessFactor\": 0.25}",
@@ -136,7 +136,17 @@ constexpr std::array<MaterialRule, 21> GltfRules = {{
     {"`emissiveTexture`", "lost, and the emission with it",
      "\"emissiveFactor\": [1, 1, 1], \"emissiveTexture\": {\"index\": 0}", "gltf metallic=1 roughness=1",
      "map of emission"},
-    {"alpha", "lost", "\"alphaMode\": \"BLEND\"", "gltf metallic=1 roughness=1", "transparency"},
+    {"`alphaMode` `BLEND`, a base colour of alpha a", "`opacity a`",
+     "\"alphaMode\": \"BLEND\", \"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 1, 1, 0.25]}",
+     "gltf metallic=1 roughness=1 opacity 0.25", ""},
+    {"the same with `baseColorTexture`", "`opacity blend a`",
+     "\"alphaMode\": \"BLEND\", \"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}",
+     "gltf metallic=1 roughness=1 texture \"wood.png\" opacity blend 1", ""},
+    {"`alphaMode` `MASK` with `baseColorTexture`", "`opacity mask alphaCutoff/a`; without it all or nothing",
+     "\"alphaMode\": \"MASK\", \"alphaCutoff\": 0.25, \"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 1, "
+     "1, "
+     "0.5], \"baseColorTexture\": {\"index\": 0}}",
+     "gltf metallic=1 roughness=1 texture \"wood.png\" opacity mask 0.5", ""},
     {"other maps, also of extensions", "lost", "\"normalTexture\": {\"index\": 0}",
      "gltf metallic=1 roughness=1", "normal map"},
     {"other extensions", "lost", "\"extensions\": {\"KHR_materials_transmission\": {}}",
@@ -187,6 +197,7 @@ class Reading {
     material.definition.location = grf::whole_file(path);
     material.losses = losses_;
     material.texture = map_;
+    material.opacity = opacity();
     material.clamped = is_clamped_;
     material.definition.body =
         is_unlit_ ? make_brdf("diffuse", {{"kd", to_value(values_.base)}}) : to_brdf(values_);
@@ -234,7 +245,10 @@ class Reading {
   }
 
   void read(const tinygltf::PbrMetallicRoughness& pbr) {
-    if (pbr.baseColorFactor.size() == 4) values_.base = first_three(pbr.baseColorFactor);
+    if (pbr.baseColorFactor.size() == 4) {
+      values_.base = first_three(pbr.baseColorFactor);
+      alpha_ = pbr.baseColorFactor[3];
+    }
     values_.metallic = pbr.metallicFactor;
     values_.roughness = pbr.roughnessFactor;
     say(fmt::format("baseColorFactor {}", joined(pbr.baseColorFactor)));
@@ -255,6 +269,7 @@ class Reading {
     say(fmt::format("specularFactor {}", fmt::join(specular, " ")));
     say(fmt::format("glossinessFactor {}", gloss));
     values_.base = {diffuse[0], diffuse[1], diffuse[2]};
+    alpha_ = diffuse[3];
     values_.specular_colour = to_vector(specular) * ColourOfFullReflectance;
     values_.roughness = 1 - gloss;
     const int texture = texture_index(glossiness, "diffuseTexture");
@@ -362,11 +377,24 @@ class Reading {
   void count_losses() {
     if (source_.normalTexture.index >= 0) lose(Loss::NormalMap);
     if (source_.occlusionTexture.index >= 0) lose(Loss::OcclusionMap);
-    if (source_.alphaMode != "OPAQUE") {
-      lose(Loss::Transparency);
-      say("alphaMode " + printable(source_.alphaMode));
-    }
+    if (source_.alphaMode != "OPAQUE") say("alphaMode " + printable(source_.alphaMode));
+    if (source_.alphaMode == "MASK") say(fmt::format("alphaCutoff {}", source_.alphaCutoff));
     if (source_.doubleSided) say("doubleSided");
+  }
+
+  // A factor of alpha is the same as its inverse in the cutoff.
+  std::optional<grf::Opacity> opacity() const {
+    using Kind = grf::Opacity::Kind;
+    const double alpha = std::clamp(alpha_, 0.0, 1.0);
+    if (source_.alphaMode == "MASK") {
+      const double cutoff = std::max(source_.alphaCutoff, 0.0);
+      if (alpha < cutoff) return grf::Opacity{Kind::Number, 0};
+      if (!map_ || cutoff == 0) return std::nullopt;
+      return grf::Opacity{Kind::Mask, static_cast<float>(cutoff / alpha)};
+    }
+    if (source_.alphaMode != "BLEND") return std::nullopt;
+    const grf::Opacity opacity{map_ ? Kind::Blend : Kind::Number, static_cast<float>(alpha)};
+    return opacity == grf::Opacity() ? std::nullopt : std::optional(opacity);
   }
 
   static std::string printable(const std::string& text) {
@@ -391,6 +419,7 @@ class Reading {
   const GltfImages& images_;
   const Value nothing_;
   GltfBrdf values_;
+  double alpha_ = 1;  ///< of the base colour
   bool is_clamped_ = false;
   bool is_unlit_ = false;
   grf::Vec3d emission_ = grf::Vec3d(0);  ///< radiance, W/(sr m2)

@@ -51,7 +51,7 @@ bool refracts(int illumination) {
 }
 
 /// The table of conversions by `MtlReader` and the mapping.
-constexpr std::array<MaterialRule, 15> MtlRules = {{
+constexpr std::array<MaterialRule, 18> MtlRules = {{
     {"`Ks` = 0 or absent, or `illum` 0 or 1", "`diffuse kd=Kd`; an absent `Kd` is 0.5",
      "Kd 0.5 0.25 0.1; Ks 0.5; illum 1", "diffuse kd=(0.5, 0.25, 0.1)", ""},
     {"`Ks` > 0, any other `illum` or none",
@@ -72,7 +72,13 @@ constexpr std::array<MaterialRule, 15> MtlRules = {{
     {"`map_Kd` with `-clamp on`, `-cc on`, `-blendu off`, `-mm`, `-t`, `-imfchan` that change something",
      "the image is kept, the option is lost", "map_Kd -clamp on wood.png",
      "diffuse kd=1 texture \"wood.png\"", "option"},
-    {"`d` < 1, `Tr` > 0, `illum` 4, 6, 7 or 9", "lost", "Kd 0.5; d 0.5", "diffuse kd=0.5", "transparency"},
+    {"`d` < 1, or else `Tr` > 0", "`opacity d`, or 1 - `Tr`", "Kd 0.5; d 0.25", "diffuse kd=0.5 opacity 0.25",
+     ""},
+    {"`map_d` with the image of `map_Kd`", "`opacity blend d`: the alpha of the texture",
+     "map_Kd wood.png; map_d wood.png", "diffuse kd=1 texture \"wood.png\" opacity blend 1", ""},
+    {"`map_d` with another image or none, `d -halo`", "lost", "Kd 0.5; map_d wood.png", "diffuse kd=0.5",
+     "transparency"},
+    {"`illum` 4, 6, 7 or 9, which refract", "lost", "Kd 0.5; illum 6", "diffuse kd=0.5", "transparency"},
     {"other maps, `bump`, `norm`, `disp`, `refl`", "lost", "Kd 0.5; bump wood.png", "diffuse kd=0.5",
      "bump map"},
     {"`Pr`, `Pm`, `Ps`, `Pc` and their kin",
@@ -144,6 +150,7 @@ class MtlReader {
   bool has_diffuse_ = false;                     // the current material has `Kd`
   std::optional<double> dissolve_;               // `d` of the current material: 1 is opaque
   std::optional<double> transparency_;           // `Tr`, 1 - `d`; `d` overrides it
+  std::optional<std::string> alpha_map_;         // `map_d`
   std::map<std::string_view, double> physical_;  // the parameters of `PhysicalKeywords` that the material has
   std::optional<double> index_;                  // `Ni`, the index of refraction
   std::size_t unread_values_ = 0;
@@ -158,13 +165,19 @@ void MtlReader::begin(const Statement& statement) {
   has_diffuse_ = false;
   dissolve_.reset();
   transparency_.reset();
+  alpha_map_.reset();
   physical_.clear();
   index_.reset();
 }
 
 void MtlReader::finish() {
   if (!current_) return;
-  if (dissolve_.value_or(1 - transparency_.value_or(0)) < 1) add_loss(Loss::Transparency);
+  current_->phong.opacity = dissolve_.value_or(1 - transparency_.value_or(0));
+  if (alpha_map_) {
+    const auto& map = current_->phong.diffuse_map;
+    current_->phong.reads_alpha = map && map->file == *alpha_map_;
+    if (!current_->phong.reads_alpha) add_loss(Loss::Transparency);
+  }
   // An image without a colour is not scaled.
   if (current_->phong.diffuse_map && !has_diffuse_) current_->phong.diffuse = grf::Vec3d(1);
   if (!physical_.empty()) current_->phong.physically_based = physically_based();
@@ -238,7 +251,17 @@ GltfBrdf MtlReader::physically_based() const {
 }
 
 bool MtlReader::read_transparency(const Statement& statement) {
+  if (same_keyword(statement.keyword, "map_d")) {
+    const auto image = parse_image(statement);
+    alpha_map_ = image ? image->name : std::string();
+    return true;
+  }
   if (same_keyword(statement.keyword, "d")) {
+    // A halo is opaque at its rim alone.
+    if (statement.rest.starts_with("-halo")) {
+      add_loss(Loss::Transparency);
+      return true;
+    }
     assign(dissolve_, number(statement));
     return true;
   }

@@ -56,7 +56,7 @@ bool is_exact_in_mtl(const grf::BrdfModel& brdf) {
 }
 
 /// The table of conversions by `MtlWriter::text_of`.
-constexpr std::array<MaterialRule, 6> MtlWriterRules = {{
+constexpr std::array<MaterialRule, 8> MtlWriterRules = {{
     {"only a diffuse lobe", "`Kd`, `illum 1`", "brdf oren r=0.25", "Kd 0.25 0.25 0.25; Ks 0 0 0; illum 1",
      ""},
     {"a glossy lobe of exponent h", "`Ks`, `Ns` = h/4, `illum 2`", "brdf ashikhmin ex=80 Rs=0.25 Rd=0.5",
@@ -69,6 +69,11 @@ constexpr std::array<MaterialRule, 6> MtlWriterRules = {{
      "Kd 0 0 0; Ks 0 0 0; illum 1; Ke 3 2 1", ""},
     {"`texture`", "`map_Kd`", "brdf diffuse kd=0.5 texture \"wood.png\"",
      "Kd 0.5 0.5 0.5; Ks 0 0 0; illum 1; map_Kd wood.png", ""},
+    {"`opacity` with a number", "`d`", "brdf diffuse kd=0.5 opacity 0.25",
+     "Kd 0.5 0.5 0.5; Ks 0 0 0; illum 1; d 0.25", ""},
+    {"`opacity` with `mask` or `blend`", "`map_d`, and `d` for the factor; a cutoff is lost",
+     "brdf diffuse kd=0.5 texture \"wood.png\" opacity blend 0.5",
+     "Kd 0.5 0.5 0.5; Ks 0 0 0; illum 1; map_Kd wood.png; d 0.5; map_d wood.png", ""},
 }};
 
 int illumination_of(Reflection reflection) {
@@ -117,6 +122,8 @@ MtlWriter::Key MtlWriter::key_of(const WorldSurface& surface, bool is_light) {
   if (surface.texture != nullptr) key.image = surface.texture->file;
   key.colour = components(surface.colour);
   key.emission = components(surface.emission);
+  key.reads_alpha = surface.opacity.reads_alpha();
+  if (surface.opacity.kind != grf::Opacity::Kind::Mask) key.opacity = surface.opacity.value;
   return key;
 }
 
@@ -238,6 +245,9 @@ std::string MtlWriter::text_of(const Material& material) const {
   text += fmt::format("illum {}\n", illumination_of(phong.reflection));
   if (!key.emission.empty()) text += fmt::format("Ke {}\n", fmt::join(key.emission, " "));
   if (key.image) text += fmt::format("map_Kd {}{}\n", key.image->starts_with('-') ? "./" : "", *key.image);
+  if (key.opacity < 1) text += fmt::format("d {}\n", key.opacity);
+  if (key.reads_alpha)
+    text += fmt::format("map_d {}{}\n", key.image->starts_with('-') ? "./" : "", *key.image);
   return text;
 }
 

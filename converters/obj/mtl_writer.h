@@ -17,8 +17,8 @@
 namespace convert {
 
 /// The materials of a written OBJ file: one per BRDF of a scene, named by its definition or its text, and
-/// further ones if faces with it differ in colour, image or emission. Each has the exact BRDF in a comment,
-/// which `read_mtl` restores.
+/// further ones if faces with it differ in colour, image, emission or opacity. Each has the exact BRDF in a
+/// comment, which `read_mtl` restores.
 class MtlWriter {
  public:
   /// Collects the materials of a flat scene, in which each definition occurs once. Pointers into the scene
@@ -47,6 +47,8 @@ class MtlWriter {
     std::optional<std::string> image;
     std::vector<float> colour;    ///< empty if there is none
     std::vector<float> emission;  ///< empty if there is none
+    float opacity = 1;            ///< a factor if alpha is read
+    bool reads_alpha = false;     ///< of the image
 
     /// Returns true for faces that need no material.
     bool is_plain() const { return *this == Key(); }

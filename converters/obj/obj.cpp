@@ -215,10 +215,10 @@ Format obj_format() {
   format.write = write_obj;
   format.keeps =
       "polygons, shared vertices, normals or smoothing groups, texture coordinates, vertex colours, objects, "
-      "materials, textures, emission";
+      "materials, textures, emission, opacity";
   format.loses =
       "transforms and instances (applied), irradiance, sampling schemes, comments; when read: bump and other "
-      "maps, transparency, lines, points, curves, vertices without faces";
+      "maps, refraction, lines, points, curves, vertices without faces";
   format.read_materials = mtl_rules();
   format.written_materials = mtl_writer_rules();
   return format;

@@ -110,6 +110,7 @@ ObjSurface ObjMaterials::surface(const std::string& name, std::size_t faces, Los
   if (entry.has_brdf) surface.brdf = grf::Reference{entry.material.definition.name, {}};
   if (entry.colour) surface.colour = *entry.colour;
   surface.emission = entry.material.emission;
+  surface.opacity = entry.material.opacity;
   if (entry.material.texture) surface.texture = *entry.material.texture;
   return result;
 }

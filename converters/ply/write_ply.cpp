@@ -258,9 +258,9 @@ bool PlyWriter::write(const std::string& path, grf::Diagnostics& diagnostics) co
 
 void PlyWriter::report(const std::string& path, grf::Diagnostics& diagnostics) const {
   Losses losses;
-  world_.count(
-      {Loss::Brdf, Loss::SamplingScheme, Loss::Emission, Loss::Irradiance, Loss::AreaLight, Loss::MeshName},
-      losses);
+  world_.count({Loss::Brdf, Loss::SamplingScheme, Loss::Emission, Loss::Opacity, Loss::Irradiance,
+                Loss::AreaLight, Loss::MeshName},
+               losses);
   losses.report_written(grf::whole_file(path), "PLY", diagnostics);
   if (has_uvs_ || textured_faces_ == 0) return;
   Losses textures;

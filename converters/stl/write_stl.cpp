@@ -93,7 +93,7 @@ bool write_stl(const grf::Scene& scene, const std::string& path, grf::Diagnostic
   Losses losses;
   world.count({Loss::Brdf, Loss::SamplingScheme, Loss::Texture, Loss::TextureCoordinates, Loss::FaceColour,
                Loss::VertexColour, Loss::Normal, Loss::Polygon, Loss::LooseVertex, Loss::Emission,
-               Loss::Irradiance, Loss::AreaLight, Loss::MeshName},
+               Loss::Opacity, Loss::Irradiance, Loss::AreaLight, Loss::MeshName},
               losses);
   losses.report_written(grf::whole_file(path), "STL", diagnostics);
   return true;

@@ -43,8 +43,8 @@ constexpr std::array<MaterialRule, 13> Rules = {{
      "Material {} Texture2 { filename \"wood.png\" }", "diffuse kd=0.8 texture \"wood.png\"", ""},
     {"no `Material`", "no BRDF, or what `--brdf` says", "texture ImageTexture { url \"wood.png\" }",
      "texture \"wood.png\"", ""},
-    {"`transparency` > 0", "lost", "material Material { transparency 0.5 }", "diffuse kd=0.8",
-     "transparency"},
+    {"`transparency` > 0", "`opacity`, 1 - `transparency`", "material Material { transparency 0.75 }",
+     "diffuse kd=0.8 opacity 0.25", ""},
     {"`PixelTexture`, `MovieTexture`, `image` of `Texture2`", "lost",
      "material Material {} texture PixelTexture {}", "diffuse kd=0.8", "PixelTexture node was skipped"},
     {"`ambientIntensity`, `ambientColor`", "kept only in the comment",
@@ -87,7 +87,7 @@ class MaterialReader {
     // exponent.
     constexpr double HalfVectorExponent = 128;
     material_.exponent = to_phong_exponent(number("shininess", 0.2) * HalfVectorExponent);
-    if (number("transparency", 0) > 0) material_.losses.push_back(Loss::Transparency);
+    material_.opacity = 1 - number("transparency", 0);
     number("ambientIntensity", 0.2);
     colour("ambientColor", Vec3d(0.2));
     if (inputs_.texture) material_.diffuse_map = grf::Texture{*inputs_.texture, material_.location};

@@ -39,7 +39,7 @@ Format vrml_format() {
       "polygons, shared vertices, normals, texture coordinates, colours of vertices and faces, names, "
       "materials, textures, emission, transforms, instances, inlined files";
   format.loses =
-      "transparency, lights, viewpoints, lines, points, text, prototypes, scripts, animation, pixels of "
+      "lights, viewpoints, lines, points, text, prototypes, scripts, animation, pixels of "
       "textures in the file, curves of solids";
   format.read_materials = vrml::material_rules();
   return format;

@@ -147,7 +147,7 @@ TEST(GrfconvertJson, HasWhatTheEditorAsksFor) {
   const std::string output = folder.path("out.grf");
   const std::string input = folder.add(
       "in.obj", "mtllib in.mtl\n" + Triangle + "usemtl glass\nf 1 2 3\nf 3 2 1\nusemtl gone\nf 1 2 3\n");
-  folder.add("in.mtl", "newmtl glass\nKd 1 1 1\nd 0.5\n");
+  folder.add("in.mtl", "newmtl glass\nKd 1 1 1\nillum 6\n");
   const test::Outcome outcome = grfconvert({input, "-o", output, "--json"});
   EXPECT_EQ(outcome.exit_code, 0);
   const json report = json::parse(outcome.out);
@@ -157,7 +157,7 @@ TEST(GrfconvertJson, HasWhatTheEditorAsksFor) {
   EXPECT_EQ(report["meshes"], 1);
   EXPECT_EQ(report["faces"], 4);
   EXPECT_GT(report["warnings"].get<int>(), 1);
-  EXPECT_EQ(report["losses"], json::array({"2 faces lost their transparency: GRF surfaces are opaque"}));
+  EXPECT_EQ(report["losses"], json::array({"2 faces lost their transparency: it is read as opaque"}));
   EXPECT_EQ(report["files"], json::array());
   const test::Outcome failed = grfconvert({Malformed, "-o", output, "--json"});
   EXPECT_EQ(failed.exit_code, 1);

@@ -16,6 +16,7 @@
 #include "converters/assimp/assimp_rules.h"
 #include "converters/format.h"
 #include "converters/materials.h"
+#include "grf/write.h"
 #include "renderer/image/image_file.h"
 #include "tests/converters/gltf/gltf_maker.h"
 #include "tests/converters/vrml/vrml_reading.h"
@@ -55,6 +56,7 @@ std::string text_of(const grf::Surface& surface, const std::vector<grf::Definiti
   if (surface.emission) words.push_back("light rgb " + numbers_of(*surface.emission));
   if (surface.texture)
     words.push_back(fmt::format("texture \"{}\"", std::get<grf::Texture>(*surface.texture).file));
+  if (surface.opacity) words.push_back(grf::to_text(*surface.opacity));
   return joined(words, " ");
 }
 

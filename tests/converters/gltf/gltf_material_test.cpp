@@ -193,8 +193,7 @@ TEST(GltfMaterial, EmissionIsRadiance) {
 }
 
 TEST(GltfMaterial, WhatIsLostIsSaid) {
-  json material = pbr({1, 1, 1, 0.5}, 0, 1);
-  material["alphaMode"] = "BLEND";
+  json material = pbr({1, 1, 1, 1}, 0, 1);
   for (const char* map : {"normalTexture", "occlusionTexture"}) material[map] = {{"index", 0}};
   material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
   for (const char* extension : {"volume", "transmission"}) {
@@ -202,12 +201,45 @@ TEST(GltfMaterial, WhatIsLostIsSaid) {
   }
   const Reading reading = GltfMaker::with_material(material).read();
   EXPECT_TRUE(reading.scene);
-  for (const char* said :
-       {"its transparency", "its normal map", "its occlusion map", "its map of a parameter",
-        "1 face lost what KHR_materials_volume says of their material",
-        "what KHR_materials_transmission says"}) {
+  for (const char* said : {"its normal map", "its occlusion map", "its map of a parameter",
+                           "1 face lost what KHR_materials_iridescence says of their material",
+                           "what KHR_materials_volume says", "what KHR_materials_transmission says"}) {
     EXPECT_THAT(reading.text(), HasSubstr(said));
   }
+}
+
+/// The opacity of a face whose base colour has an alpha of 0.5, and its texture if there is one.
+std::string opacity_of(const json& alpha, bool has_texture) {
+  json material = pbr({1, 1, 1, 0.5}, 0, 1);
+  if (has_texture) material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  material.update(alpha);
+  GltfMaker maker = GltfMaker::with_material(material);
+  maker.json["images"] = {{{"uri", "leaf.png"}}};
+  maker.json["textures"] = {{{"source", 0}}};
+  const Reading reading = maker.read();
+  const auto& opacity = meshes_of(reading.scene.value()).at(0).surface(0).opacity;
+  return opacity ? grf::to_text(*opacity) : "none";
+}
+
+TEST(GltfMaterial, HasAnOpacityByItsAlphaMode) {
+  const json blend = {{"alphaMode", "BLEND"}};
+  const json mask = {{"alphaMode", "MASK"}};
+  const auto cutoff = [&](double value) {
+    json of_value = mask;
+    of_value["alphaCutoff"] = value;
+    return of_value;
+  };
+  for (const bool has_texture : {false, true}) {
+    EXPECT_EQ(opacity_of(json::object(), has_texture), "none") << "alpha counts only with a mode";
+    EXPECT_EQ(opacity_of({{"alphaMode", "OPAQUE"}}, has_texture), "none");
+    EXPECT_EQ(opacity_of(cutoff(0.75), has_texture), "opacity 0") << "the factor is below";
+    EXPECT_EQ(opacity_of(cutoff(0), has_texture), "none");
+  }
+  EXPECT_EQ(opacity_of(blend, false), "opacity 0.5");
+  EXPECT_EQ(opacity_of(blend, true), "opacity blend 0.5");
+  EXPECT_EQ(opacity_of(mask, false), "none") << "at the default cutoff of 0.5 it is there";
+  EXPECT_EQ(opacity_of(mask, true), "opacity mask 1");
+  EXPECT_EQ(opacity_of(cutoff(0.125), true), "opacity mask 0.25");
 }
 
 TEST(GltfMaterial, EmbeddedImagesBecomeFiles) {

@@ -196,14 +196,15 @@ TEST(ObjMaterials, PhysicallyBasedParametersAreKept) {
   EXPECT_EQ(brdf_of("Kd 0.5\nKs 0.25\nNs 40\nNi 1.5\n"), "lewis n=40 ks=0.25 kd=0.5");
 }
 
-TEST(ObjMaterials, TransparencyIsLostHoweverItIsSaid) {
-  for (const char* statement :
-       {"d 0.5", "d -halo 0.5", "Tr 0.25", "illum 4", "illum 6", "illum 7", "illum 9"}) {
+TEST(ObjMaterials, TransparencyThatIsNoOpacityIsLost) {
+  for (const char* statement : {"d -halo 0.5", "map_d a.png", "map_Kd a.png\nmap_d b.png", "illum 4",
+                                "illum 6", "illum 7", "illum 9"}) {
     EXPECT_THAT(warnings_of_material(std::string(statement) + "\n"),
                 HasSubstr("2 faces lost their transparency"))
         << statement;
   }
-  for (const char* statement : {"d 1", "Tr 0", "d 1\nTr 1", "Tr 1\nd 1", "illum 2", "illum 5"}) {
+  for (const char* statement :
+       {"d 0.5", "Tr 0.25", "d 1", "Tr 0", "d 1\nTr 1", "Tr 1\nd 1", "illum 2", "illum 5"}) {
     EXPECT_THAT(warnings_of_material(std::string(statement) + "\n"), Not(HasSubstr("transparency")))
         << statement;
   }
