@@ -119,13 +119,15 @@ void SurfaceEdit::apply(grf::Surface& surface) const {
   pdf.apply(surface.pdf);
   texture.apply(surface.texture);
   emission.apply(surface.emission);
+  opacity.apply(surface.opacity);
 }
 
 SurfaceEdit edit_to(const grf::Surface& surface) {
   const auto to = []<class Value>(const std::optional<Value>& value) {
     return value ? AttributeEdit<Value>::set(*value) : AttributeEdit<Value>::remove();
   };
-  return {to(surface.colour), to(surface.brdf), to(surface.pdf), to(surface.texture), to(surface.emission)};
+  return {to(surface.colour),  to(surface.brdf),     to(surface.pdf),
+          to(surface.texture), to(surface.emission), to(surface.opacity)};
 }
 
 void remove_unused_surfaces(std::vector<grf::Surface>& surfaces,
@@ -159,6 +161,7 @@ CommonSurface common_surface(const SceneObjects& objects, const FaceSelection& s
       common.pdf.meet(surface.pdf, is_first);
       common.texture.meet(surface.texture, is_first);
       common.emission.meet(surface.emission, is_first);
+      common.opacity.meet(surface.opacity, is_first);
       is_first = false;
     }
   }

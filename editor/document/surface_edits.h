@@ -42,6 +42,7 @@ struct SurfaceEdit {
   AttributeEdit<grf::PdfAttribute> pdf;
   AttributeEdit<grf::TextureAttribute> texture;
   AttributeEdit<grf::Colour> emission;
+  AttributeEdit<grf::Opacity> opacity;
 
   void apply(grf::Surface& surface) const;
   /// Faces of any surface get the same.
@@ -76,6 +77,7 @@ struct CommonSurface {
   CommonValue<grf::PdfAttribute> pdf;
   CommonValue<grf::TextureAttribute> texture;
   CommonValue<grf::Colour> emission;  ///< for mesh lights, whose only attribute it is
+  CommonValue<grf::Opacity> opacity;
 };
 
 /// Computes the common attributes; for an empty selection nothing is common, and nothing mixed.

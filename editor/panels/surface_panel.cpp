@@ -20,6 +20,7 @@
 #include "editor/document/scene_places.h"
 #include "editor/panels/brdf_assignment.h"
 #include "editor/panels/model_rows.h"
+#include "editor/panels/opacity_row.h"
 #include "editor/panels/texture_row.h"
 #include "editor/panels/value_rows.h"
 
@@ -111,6 +112,7 @@ QWidget* SurfacePanel::make_rows() {
   add(tr("Sam&pling"), new PdfRow(document_, catalogue_, rows));
   add(tr("C&olour"), new ColourRow(document_, rows));
   add(tr("Te&xture"), new TextureRow(document_, rows));
+  add(tr("Opa&city"), new OpacityRow(document_, rows));
   add(tr("E&mission"), new EmissionRow(document_, rows));
   add(tr("&Normals"), new NormalsRow(document_, rows));
   add(tr("Vertices"), new VertexRow(document_, VertexRow::Kind::Colour, rows));

@@ -124,6 +124,30 @@ TEST_F(SurfacePanels, MakeAWholeSurfaceAndUndoIt) {
   EXPECT_EQ(document_.scene(), after);
 }
 
+TEST_F(SurfacePanels, EditTheOpacity) {
+  using Kind = grf::Opacity::Kind;
+  const auto opacity = [](Kind kind, float value) { return std::optional(grf::Opacity{kind, value}); };
+  select({{1, 0}, {1, 1}});
+  EXPECT_EQ(find<QComboBox>("Kind of opacity")->currentText(), "Uniform");
+  EXPECT_EQ(find<NumberBox>("Opacity")->value(), 1);
+  EXPECT_FALSE(find<QToolButton>("Reset the opacity")->isEnabled());
+  type(find<NumberBox>("Opacity"), "0.25");
+  EXPECT_EQ(sides().surface(0).opacity, opacity(Kind::Number, 0.25F));
+  EXPECT_EQ(sides().surface(1).opacity, opacity(Kind::Number, 0.25F));
+  choose("Kind of opacity", "Cut out by alpha");
+  EXPECT_EQ(sides().surface(0).opacity, opacity(Kind::Mask, 0.5F));
+  EXPECT_EQ(find<NumberBox>("Opacity")->value(), 0.5);
+  select({{1, 1}});
+  choose("Kind of opacity", "Blended by alpha");
+  EXPECT_EQ(sides().surface(0).opacity, opacity(Kind::Mask, 0.5F));
+  EXPECT_EQ(sides().surface(1).opacity, opacity(Kind::Blend, 1));
+  select({{1, 0}, {1, 1}});
+  EXPECT_EQ(find<QComboBox>("Kind of opacity")->currentIndex(), -1) << "mixed";
+  click("Reset the opacity");
+  EXPECT_EQ(sides().surface(0).opacity, std::nullopt);
+  EXPECT_EQ(sides().surface(1).opacity, std::nullopt);
+}
+
 TEST_F(SurfacePanels, ShowWhatFacesHave) {
   select({{1, 1}});
   EXPECT_EQ(find<QComboBox>("BRDF")->currentText(), "gold");
