@@ -1821,6 +1821,10 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <source>%1: full image</source>
         <translation>%1: imagen completa</translation>
     </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
+    </message>
 </context>
 <context>
     <name>editor::EmissionRow</name>
@@ -5311,6 +5315,57 @@ BPT_Scene  scene.grf</translation>
     </message>
 </context>
 <context>
+    <name>editor::OpacityRow</name>
+    <message>
+        <source>Uniform</source>
+        <translation>Uniforme</translation>
+    </message>
+    <message>
+        <source>Cut out by alpha</source>
+        <translation>Recortada por alfa</translation>
+    </message>
+    <message>
+        <source>Blended by alpha</source>
+        <translation>Mezclada por alfa</translation>
+    </message>
+    <message>
+        <source>Kind of opacity</source>
+        <translation>Tipo de opacidad</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacidad</translation>
+    </message>
+    <message>
+        <source>Fraction of light that meets the faces. Cut out by alpha: the alpha of the texture below which they are absent. Blended by alpha: a factor of that alpha</source>
+        <translation>Fracción de la luz que encuentra las caras. Recortada por alfa: el alfa de la textura por debajo del cual están ausentes. Mezclada por alfa: un factor de ese alfa</translation>
+    </message>
+    <message>
+        <source>Reset the opacity</source>
+        <translation>Restablecer la opacidad</translation>
+    </message>
+    <message>
+        <source>Uniform, or by the alpha of the texture: faces that are absent below a cutoff, or that let part of the light pass. The 3D view shows them opaque; previews and renders show the opacity</source>
+        <translation>Uniforme, o según el alfa de la textura: caras ausentes por debajo de un umbral, o que dejan pasar parte de la luz. La vista 3D las muestra opacas; la vista previa y los renders muestran la opacidad</translation>
+    </message>
+    <message>
+        <source>Reset to the default: opaque</source>
+        <translation>Restablecer el valor predeterminado: opacas</translation>
+    </message>
+    <message>
+        <source>The faces are opaque.</source>
+        <translation>Las caras son opacas.</translation>
+    </message>
+    <message>
+        <source>Set opacity</source>
+        <translation>Cambiar la opacidad</translation>
+    </message>
+    <message>
+        <source>Reset opacity</source>
+        <translation>Restablecer la opacidad</translation>
+    </message>
+</context>
+<context>
     <name>editor::OptionField</name>
     <message>
         <source>auto</source>
@@ -7733,6 +7788,10 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
     <message>
         <source>Pick BRDF</source>
         <translation>Tomar la BRDF</translation>
+    </message>
+    <message>
+        <source>Opa&amp;city</source>
+        <translation>Opa&amp;cidad</translation>
     </message>
 </context>
 <context>
