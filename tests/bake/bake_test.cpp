@@ -44,6 +44,17 @@ TEST(Bake, IsPiUnderAWhiteSky) {
   EXPECT_LT(*bake.estimated_error(), 1e-6);
 }
 
+// The sheet covers nearly all of the sky.
+TEST(Bake, CountsTheLightThatFacesLetPass) {
+  const BakeScene scene(Floor + test::quad("rgb (0,0,0) brdf diffuse opacity 0.25",
+                                           "(-999,-999,1) (999,-999,1) (999,999,1) (-999,999,1)"));
+  BakeSettings settings = bake_settings(4096, 2);
+  settings.integrator.background = Rgb(1);
+  Bake bake(scene.compiled, scene.points, settings);
+  bake.run();
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(bake.irradiance(i).x, 0.75 * pi, 0.03 * pi);
+}
+
 // With many bounces, a path sums the geometric series of the walls: pi L (1 + kd + kd^2 + ...).
 TEST(Bake, IsPiTimesTheRadianceInAClosedBox) {
   const BakeScene scene(test::room("brdf diffuse kd=0.5 light rgb (0.5,0.5,0.5)", 1));

@@ -6,6 +6,7 @@
 
 namespace {
 
+using std::string_literals::operator""s;
 using std::string_view_literals::operator""sv;
 using test::Outcome;
 
@@ -66,6 +67,25 @@ TEST_F(BptDecode, AppendsTheLayersOfAnExr) {
   EXPECT_EQ(bpt({"decode", path("layers.exr")}).out, raw);
   EXPECT_EQ(bpt({"decode", "--layers", path("layers.exr")}).out, std::string(raw) + std::string(layers));
   EXPECT_EQ(bpt({"decode", "--layers", write("image.pfm", std::string(Pfm))}).out, Raw);
+}
+
+// A pixel of red with an alpha of 0.2, in a TGA file: bottom up, blue first.
+TEST_F(BptDecode, AppendsTheAlphaOfAnImage) {
+  const std::string image = write("leaf.tga", std::string("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\x20\x08"
+                                                          "\0\0\xff\x33",
+                                                          22));
+  const std::string_view size = "\x01\x00\x00\x00\x01\x00\x00\x00"sv;
+  const std::string_view fifth = "\xcd\xcc\x4c\x3e"sv;
+  const std::string_view zeros = "\0\0\0\0\0\0\0\0"sv;
+  const std::string_view layer =
+      "\x01\x00\x00\x00\x00\x00\x00\x00"
+      "A"sv;
+  EXPECT_EQ(
+      bpt({"decode", "--alpha", image}).out,
+      std::string(size) + std::string(fifth) + std::string(zeros) + std::string(layer) + std::string(fifth));
+  EXPECT_EQ(bpt({"decode", image}).out, std::string(size) + "\x00\x00\x80\x3f"s + std::string(zeros))
+      << "TGA files have it beside";
+  EXPECT_EQ(bpt({"decode", "--alpha", write("image.pfm", std::string(Pfm))}).out, Raw);
 }
 
 TEST_F(BptDecode, SaysWhyItCannot) {

@@ -53,6 +53,16 @@ TEST_F(ImageProcesses, ReadTheLayersOfAFile) {
   EXPECT_EQ(file->layers[1].values, written.layers[1].values);
 }
 
+TEST_F(ImageProcesses, KeepTheAlphaOfAFile) {
+  const std::string path = folder_.add("leaf.tga", std::string("\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\x20\x08"
+                                                               "\0\0\xff\x33",
+                                                               22));
+  const auto image = ImageProcess().read(path, diagnostics_, {}, {}, image::Alpha::Kept);
+  ASSERT_TRUE(image) << diagnostics_.to_text();
+  EXPECT_THAT(image->alpha, testing::ElementsAre(testing::FloatEq(0.2F)));
+  EXPECT_TRUE(ImageProcess().read(path, diagnostics_)->alpha.empty());
+}
+
 // The decoder may have been taken over by the file that it read.
 TEST_F(ImageProcesses, BelieveNoDecoderThatWritesBrokenLayers) {
   const std::string image = "\\001\\0\\0\\0\\001\\0\\0\\0............";
