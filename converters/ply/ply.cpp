@@ -8,8 +8,8 @@ namespace convert {
 namespace {
 
 constexpr std::string_view Lost =
-    "names of meshes, BRDFs but for their names, sampling schemes, emission, lights, irradiance, transforms "
-    "and instances (applied)";
+    "names of meshes, BRDFs but for their names, sampling schemes, emission, opacity, lights, irradiance, "
+    "transforms and instances (applied)";
 
 bool sniff_nothing(std::string_view) { return false; }
 
