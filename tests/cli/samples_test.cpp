@@ -206,6 +206,13 @@ TEST(Garden, SaysWhenItsCommandLineIsBad) {
   EXPECT_EQ(test::run({GRANADA_BIN_DIR "/make_garden", "/no/such/folder"}).exit_code, 1);
 }
 
+TEST(Leaves, AreWhatTheirScriptMakes) {
+  const test::TemporaryFolder folder;
+  ASSERT_EQ(test::run({Samples + "leaves/make_leaves", folder.path()}).exit_code, 0);
+  EXPECT_TRUE(test::bytes_of(folder.path("leaves.grf")) == test::bytes_of(Samples + "leaves/leaves.grf"));
+  EXPECT_EQ(largest_difference(folder.path("leaf.png"), Samples + "leaves/leaf.png"), 0);
+}
+
 TEST(Gallery, HasTheShapesThatItsProgramMakes) {
   const test::TemporaryFolder folder;
   ASSERT_EQ(test::run({GRANADA_BIN_DIR "/make_gallery", folder.path()}).exit_code, 0);
