@@ -238,7 +238,8 @@ void add_export(CLI::App& table, command::BrdfArguments& arguments) {
 }
 
 void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
-  CLI::App* brdf = app.add_subcommand("brdf", "Evaluate, sample, plot or export a BRDF without a scene");
+  CLI::App* brdf =
+      app.add_subcommand("brdf", "Evaluate, sample, check, plot or export a BRDF without a scene");
   brdf->require_subcommand(1);
   const auto add_command = [&](const char* name, const char* meaning, bool has_instance) {
     CLI::App* command = brdf->add_subcommand(name, meaning);
@@ -272,6 +273,10 @@ void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
   add_sample(*add_command("sample", "Sample directions by a sampling scheme", true), arguments);
   add_export(*add_command("export", "Tabulate the BRDF in the format of the MERL or the RGL data base", true),
              arguments);
+  add_command("check", "Check reciprocity, energy, holes and negative values, of measured data above all",
+              true)
+      ->add_option("-o,--output", arguments.output, "picture of where they are not as they should be")
+      ->type_name("FILE.svg|FILE.png|FILE.pdf");
   CLI::App* plot =
       add_command("plot", "Plot lobes, albedo and a lit sphere; with --pdf, a sampling scheme's pdf", true);
   plot->add_option("-o,--output", arguments.output, "output file")
@@ -292,6 +297,7 @@ ExitCode run_brdf(const CLI::App& brdf, const command::BrdfArguments& arguments)
   if (brdf.got_subcommand("albedo")) return command::print_albedo(arguments);
   if (brdf.got_subcommand("sample")) return command::sample_brdf(arguments);
   if (brdf.got_subcommand("export")) return command::export_brdf(arguments);
+  if (brdf.got_subcommand("check")) return command::check_brdf(arguments);
   return command::plot_brdf(arguments);
 }
 

@@ -1,4 +1,4 @@
-// `bpt brdf` evaluates, samples, plots and exports a BRDF without a scene.
+// `bpt brdf` evaluates, samples, checks, plots and exports a BRDF without a scene.
 #pragma once
 
 #include <cstdint>
@@ -47,5 +47,9 @@ grf::ExitCode plot_brdf(const BrdfArguments& arguments);
 /// Tabulates the BRDF as a file of the MERL or, if the output's name ends in `.bsdf`, of the RGL data base,
 /// and reports the largest and mean interpolation error against the BRDF itself.
 grf::ExitCode export_brdf(const BrdfArguments& arguments);
+
+/// Prints whether the BRDF is reciprocal, conserves energy, and has data without holes and negative values,
+/// and draws where not if an output is named.
+grf::ExitCode check_brdf(const BrdfArguments& arguments);
 
 }  // namespace command

@@ -71,6 +71,10 @@ struct Measured {
     return Vec3<Real>(linear ? data->table().linear(angles) : data->table().nearest(angles));
   }
 
+  DataState data_state(const Vec3f& u, const Vec3f& v) const {
+    return data && data->table().is_missing(half_angles(u, v)) ? DataState::Missing : DataState::Sound;
+  }
+
   bool has_diffuse_part() const { return data != nullptr; }
   bool has_glossy_part() const { return data != nullptr; }
 

@@ -138,12 +138,21 @@ bool MerlTable::write(const std::string& path, grf::Diagnostics& diagnostics) co
   return grf::replace_file(path, bytes, diagnostics);
 }
 
-Rgb MerlTable::nearest(const HalfAngles& angles) const {
+const Rgb& MerlTable::nearest_cell(const HalfAngles& angles) const {
   const auto half = clamped(static_cast<std::ptrdiff_t>(half_coordinate(angles.theta_half)), HalfCount);
   const auto difference =
       clamped(static_cast<std::ptrdiff_t>(difference_coordinate(angles.theta_difference)), DifferenceCount);
   const auto azimuth = static_cast<std::size_t>(azimuth_coordinate(angles.phi_difference)) % AzimuthCount;
-  const Rgb& value = cell(half, difference, azimuth);
+  return cell(half, difference, azimuth);
+}
+
+bool MerlTable::is_missing(const HalfAngles& angles) const {
+  const Rgb& value = nearest_cell(angles);
+  return std::min({value.x, value.y, value.z}) < 0;
+}
+
+Rgb MerlTable::nearest(const HalfAngles& angles) const {
+  const Rgb& value = nearest_cell(angles);
   return {std::max(value.x, 0.0F), std::max(value.y, 0.0F), std::max(value.z, 0.0F)};
 }
 

@@ -75,6 +75,9 @@ class MerlTable {
   /// Looks up the nearest cell, 0 if it is invalid, as the data base's own reader does.
   Rgb nearest(const HalfAngles& angles) const;
 
+  /// Returns true if a channel of the nearest cell is invalid.
+  bool is_missing(const HalfAngles& angles) const;
+
   /// Interpolates trilinearly between the eight cells' centres, without invalid ones; 0 if all are invalid.
   Rgb linear(const HalfAngles& angles) const;
 
@@ -86,6 +89,7 @@ class MerlTable {
   const Rgb& cell(std::size_t half, std::size_t difference, std::size_t azimuth) const {
     return cells_[azimuth + AzimuthCount * (difference + DifferenceCount * half)];
   }
+  const Rgb& nearest_cell(const HalfAngles& angles) const;
 
   std::vector<Rgb> cells_;  ///< in 1/sr; a negative channel is invalid
 };

@@ -12,6 +12,7 @@
 //     std::optional<DirectionSample> sample(u, xi) const;   // importance sampling in closed form
 //     float pdf(u, v) const;
 //     using Data = ...;                     // only if an instance names a file; see ReadsDataFile
+//     DataState data_state(u, v) const;     // likewise, if the file can lack values
 //     bool is_anisotropic() const;          // and the other queries of brdf.h whose default is wrong
 //   };
 //
@@ -80,6 +81,13 @@ struct LobeExponents {
 template <class Model>
 concept ReadsDataFile = requires {
   typename Model::Data;
+};
+
+/// What a BRDF's data say of a pair of directions above the horizon.
+enum class DataState {
+  Sound,
+  Missing,  ///< the file has no value there, or one that is negative or not finite
+  Negative  ///< a channel is negative, and is taken as 0
 };
 
 /// One row of a model's parameter table: the field, and its description without the default, which is the

@@ -45,6 +45,10 @@ struct Rgl {
     return data ? Vec3<Real>(data->evaluate(Imath::V3d(u), Imath::V3d(v))) : Vec3<Real>(0);
   }
 
+  DataState data_state(const Vec3f& u, const Vec3f& v) const {
+    return data && data->is_negative(Imath::V3d(u), Imath::V3d(v)) ? DataState::Negative : DataState::Sound;
+  }
+
   bool has_diffuse_part() const { return data != nullptr; }
   bool has_glossy_part() const { return data != nullptr; }
   bool is_anisotropic() const { return data && !data->is_isotropic(); }

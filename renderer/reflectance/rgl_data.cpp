@@ -147,6 +147,16 @@ V3d RglData::evaluate(const V3d& u, const V3d& v) const {
   return rgb_at(place_of(view, v), view);
 }
 
+bool RglData::is_negative(const V3d& u, const V3d& v) const {
+  if (!are_above_horizon(u, v)) return false;
+  const View view = view_of(u);
+  const Place place = place_of(view, v);
+  for (unsigned int k = 0; k < 3; ++k) {
+    if (tables_.rgb.evaluate(place.uniform.point, view.slices, k) < 0) return true;
+  }
+  return false;
+}
+
 double RglData::pdf(const V3d& u, const V3d& v) const {
   if (!are_above_horizon(u, v)) return 0;
   const View view = view_of(u);

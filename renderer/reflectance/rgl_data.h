@@ -27,6 +27,9 @@ class RglData {
   /// Evaluates f(u, v) in 1/sr as linear sRGB.
   Imath::V3d evaluate(const Imath::V3d& u, const Imath::V3d& v) const;
 
+  /// Returns true if a channel of the table is negative there, which `evaluate` takes as 0.
+  bool is_negative(const Imath::V3d& u, const Imath::V3d& v) const;
+
   /// Returns the wavelengths that the file has, in nanometres and ascending; empty for an RGB file.
   const std::vector<float>& wavelengths() const { return tables_.wavelengths; }
 

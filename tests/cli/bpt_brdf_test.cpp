@@ -54,6 +54,37 @@ TEST_F(BptBrdf, ListsAllModelsAsJson) {
   EXPECT_EQ(named("oren")["parameters"][0]["unit"], "rad");
 }
 
+TEST_F(BptBrdf, ChecksWhatIsPlausible) {
+  const std::string text = out({"check", "diffuse kd=0.5"});
+  EXPECT_EQ(text,
+            "ok      reciprocity: |f(u,v) - f(v,u)| is 0 % of f on average\n"
+            "ok      energy: at most 0.5 of the light is reflected, at 0 degrees\n"
+            "ok      holes: 0 % of the pairs of directions have no value in the file\n"
+            "ok      sign: 0 % of the pairs of directions have a negative channel in the file\n");
+}
+
+// Lambert's 0.5 and half a mirror of Fresnel's equations would be plausible; twice 0.8 is not.
+TEST_F(BptBrdf, ChecksWhatIsNotPlausible) {
+  const nlohmann::json found = json({"check", "combine 1 diffuse kd=0.8 + 1 strauss"});
+  EXPECT_EQ(found["conserves_energy"], false);
+  EXPECT_GT(found["largest_albedo"], 1);
+  EXPECT_EQ(found["reciprocal"], false);
+  EXPECT_GT(found["mean_asymmetry"], 1e-3);
+  EXPECT_NE(found["worst_pair"]["value"], found["worst_pair"]["swapped"]);
+  const std::string text = out({"check", "strauss"});
+  EXPECT_TRUE(text.starts_with("warning reciprocity: ")) << text;
+  EXPECT_NE(text.find("\n        most for u, v at (theta, phi) = ("), std::string::npos) << text;
+}
+
+TEST_F(BptBrdf, DrawsWhereItIsNotPlausible) {
+  const std::string path = folder_.path("check.svg");
+  out({"check", "strauss", "-o", path});
+  boost::property_tree::ptree svg;
+  read_xml(path, svg);
+  expect_failure({"check", "strauss", "-o", folder_.path("check.doc")}, 1, "check.doc");
+  expect_failure({"check", "no-such-file.binary"}, 1, "no-such-file.binary");
+}
+
 TEST_F(BptBrdf, EvaluatesWavelengthsWhereDataHaveThem) {
   const std::string folder = GRANADA_SOURCE_DIR "/tests/reflectance/rgl/";
   const std::string copper = "rgl \"" + folder + "copper.bsdf\"";
