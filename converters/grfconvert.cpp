@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "command_line/manual.h"
 #include "converters/command/arguments.h"
 #include "converters/command/check.h"
 #include "converters/command/info.h"
@@ -16,6 +17,21 @@ namespace {
 
 using convert::Arguments;
 using convert::ExitCode;
+
+constexpr command_line::ManualText Manual = {
+    .date = GRANADA_DATE,
+    .version = GRANADA_VERSION,
+    .description =
+        "grfconvert converts models and scenes between GRF and the formats of other programs: OBJ, PLY, glTF, 3DS, "
+        "STL, VRML, COLLADA, FBX and others to GRF, and GRF to OBJ, PLY, glTF, STL, pbrt and Mitsuba. Formats are "
+        "detected. What a format cannot hold is listed as lost.\n\n"
+        "Files are read in a process of their own, with limits of memory and time.",
+    .examples = "Convert a model\ngrfconvert model.obj -o model.grf\n"
+                "Convert a folder, each file in a process of its own\ngrfconvert *.obj -o scenes/ --jobs 0\n"
+                "List the formats, and what each keeps and loses\ngrfconvert formats\n"
+                "Find out what is risky in a scene\ngrfconvert check --deep scene.grf\n",
+    .see_also = "bpt(1), wannabe(1), grf(5)",
+};
 
 ExitCode run(const CLI::App& app, const Arguments& arguments) {
   if (app.got_subcommand("formats")) {
@@ -43,6 +59,8 @@ int main(int argc, char** argv) {
     CLI::App app("", "grfconvert");
     Arguments arguments;
     convert::define_command_line(app, arguments);
+    app.set_version_flag("--version", "grfconvert " GRANADA_VERSION);
+    command_line::add_manual_option(app, Manual);
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

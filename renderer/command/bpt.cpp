@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "command_line/manual.h"
 #include "renderer/command/bake_command.h"
 #include "renderer/command/brdf_command.h"
 #include "renderer/command/compare_command.h"
@@ -418,6 +419,23 @@ std::vector<std::string> with_command(int argc, char** argv, CLI::App& app) {
   return {words.rbegin(), words.rend()};  // CLI11 parses them from the back
 }
 
+constexpr command_line::ManualText Manual = {
+    .date = GRANADA_DATE,
+    .version = GRANADA_VERSION,
+    .description =
+        "bpt renders scenes of the format GRF by path tracing: meshes whose faces have a BRDF, a sampling scheme, a "
+        "colour and emitted light. It also measures what accuracy costs in time, shows which effects a scene calls "
+        "for, and evaluates, samples and plots BRDFs without a scene.\n\n"
+        "Without a command, bpt SCENE is bpt render SCENE. Render options are in OP files; options of the command "
+        "line override them.",
+    .examples = "Render a scene with the options of an OP file\nbpt scene.op\n"
+                "Render a small preview\nbpt render scene.op --size 320x240 --samples 16 -o preview.png\n"
+                "Stop at an error of 2 %\nbpt render scene.op --target-error 0.02\n"
+                "Forecast how long that takes\nbpt render scene.op --forecast\n"
+                "Plot a BRDF\nbpt brdf plot 'ward sx=0.2' -o ward.svg\n",
+    .see_also = "grfconvert(1), wannabe(1), grf(5), op(5)",
+};
+
 ExitCode run(int argc, char** argv) {
   CLI::App app("Granada's path tracer", "bpt");
   app.require_subcommand(1);
@@ -444,6 +462,7 @@ ExitCode run(int argc, char** argv) {
   command::SkyArguments sky_arguments;
   add_sky(app, sky_arguments);
   app.set_version_flag("--version", "bpt " GRANADA_VERSION);
+  command_line::add_manual_option(app, Manual);
   try {
     app.parse(with_command(argc, argv, app));
   } catch (const CLI::ParseError& error) {
