@@ -1,3 +1,6 @@
+# Other compilers than those of CI have other warnings, which should not keep anyone from building.
+option(GRANADA_WARNINGS_AS_ERRORS "Treat warnings as errors, as CI does" OFF)
+
 # Every target links granada_options for its compile options.
 add_library(granada_options INTERFACE)
 target_include_directories(granada_options INTERFACE ${PROJECT_SOURCE_DIR})
@@ -6,7 +9,8 @@ target_include_directories(granada_options INTERFACE ${PROJECT_SOURCE_DIR})
 # seed and not on the machine. Embree picks its own instruction set at run time.
 target_compile_options(granada_options INTERFACE
   -march=x86-64-v3 -ffp-contract=off
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  $<$<BOOL:${GRANADA_WARNINGS_AS_ERRORS}>:-Werror>)
 
 # g++ 12 has false warnings of uninitialised members in copies of std::variant and std::optional, and of overlapping
 # copies in concatenations of std::string (GCC bug 105651). In unity builds it takes source files for headers, in which
