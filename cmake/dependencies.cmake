@@ -25,6 +25,7 @@ find_package(meshoptimizer REQUIRED)
 find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(LibArchive REQUIRED)
+find_package(OpenSSL REQUIRED)
 # Only the editor needs these: without Qt, everything else is built and tested.
 find_package(Qt6 6.4 COMPONENTS Concurrent Network OpenGLWidgets PrintSupport Svg Test Widgets)
 if(Qt6_FOUND)

@@ -11,7 +11,7 @@ namespace {
 using transport::Fingerprint;
 using transport::take;
 
-constexpr transport::CheckpointKind BakeKind = {{'G', 'R', 'F', 'B', 'A', 'K', '0', '2'}, "bake"};
+constexpr transport::CheckpointKind BakeKind = {{'G', 'R', 'F', 'B', 'A', 'K', '0', '3'}, "bake"};
 
 /// The file's contents start with this header; each vertex's tally and sums follow, then an `End`.
 struct BakeHeader {

@@ -15,9 +15,9 @@
 #include "renderer/bake/baked_scene.h"
 #include "renderer/command/json_values.h"
 #include "renderer/command/printed.h"
-#include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_run.h"
+#include "renderer/job/render_fingerprint.h"
 #include "renderer/job/render_job.h"
 
 namespace command {
@@ -45,9 +45,9 @@ RunSettings run_settings_of(const RenderOptions& render_options, int directions,
   RunSettings settings;
   settings.checkpoint = render_options.checkpoint;
   if (settings.checkpoint.empty()) return settings;
-  settings.fingerprint = fingerprint_of(render_options, diagnostics.files());
+  settings.fingerprint = job::fingerprint_of(render_options, diagnostics.files());
   settings.fingerprint.options =
-      transport::check_sum(settings.fingerprint.options, fmt::format("directions {}\n", directions));
+      transport::extended(settings.fingerprint.options, fmt::format("directions {}\n", directions));
   return settings;
 }
 

@@ -16,9 +16,9 @@
 #include "renderer/command/cost_report.h"
 #include "renderer/command/cost_study.h"
 #include "renderer/command/cost_sweep.h"
-#include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_run.h"
+#include "renderer/job/render_fingerprint.h"
 #include "renderer/job/render_job.h"
 #include "renderer/parallel/loops.h"
 
@@ -192,10 +192,12 @@ CostConditions conditions_of(const CostArguments& arguments, const std::vector<C
   of_image.points = defaults.points;
   of_image.precision = defaults.precision;
   of_image.seed = defaults.seed;
-  const auto [options, files, program] = fingerprint_of(of_image, diagnostics.files());
+  const transport::Fingerprint fingerprint = job::fingerprint_of(of_image, diagnostics.files());
   CostConditions conditions;
-  conditions.fingerprint =
-      fmt::format("{:08x}{:08x}{:08x}-{}", options, files, program, fmt::join(arguments.crop, ","));
+  conditions.fingerprint = transport::hex(transport::DigestBuilder()
+                                              .add(transport::bytes_of(fingerprint))
+                                              .add(fmt::format("{}", fmt::join(arguments.crop, ",")))
+                                              .digest());
   conditions.threads = parallel::threads_for(of_image.threads);
   conditions.has_centred_rays = std::any_of(lines.begin(), lines.end(), is_naive);
   return conditions;

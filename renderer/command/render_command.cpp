@@ -17,13 +17,13 @@
 #include "renderer/command/plan_summary.h"
 #include "renderer/command/printed.h"
 #include "renderer/command/render_arguments.h"
-#include "renderer/command/render_fingerprint.h"
 #include "renderer/command/render_forecast.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_reports.h"
 #include "renderer/command/render_run.h"
 #include "renderer/job/camera_path.h"
 #include "renderer/job/non_finite.h"
+#include "renderer/job/render_fingerprint.h"
 #include "renderer/job/render_job.h"
 #include "renderer/parallel/loops.h"
 #include "renderer/transport/part_merge.h"
@@ -204,13 +204,13 @@ RunSettings run_settings_of(const RenderOptions& render_options, const std::stri
   RunSettings settings;
   settings.checkpoint = render_options.checkpoint;
   if (!settings.checkpoint.empty() || task) {
-    settings.image_fingerprint = fingerprint_of(render_options, diagnostics.files());
+    settings.image_fingerprint = job::fingerprint_of(render_options, diagnostics.files());
     settings.fingerprint = settings.image_fingerprint;
   }
   // The checkpoint of a part is of no use to another part.
   if (task) {
     settings.fingerprint.options =
-        transport::check_sum(settings.fingerprint.options, flags_text(task->part) + task->pilot);
+        transport::extended(settings.fingerprint.options, flags_text(task->part) + task->pilot);
   }
   if (!render_options.display_server.empty()) {
     settings.display = display::address_of(render_options.display_server);

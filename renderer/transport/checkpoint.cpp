@@ -8,7 +8,7 @@
 namespace transport {
 namespace {
 
-constexpr CheckpointKind RenderKind = {{'G', 'R', 'F', 'C', 'H', 'K', '0', '4'}, "render"};
+constexpr CheckpointKind RenderKind = {{'G', 'R', 'F', 'C', 'H', 'K', '0', '5'}, "render"};
 
 /// The file's contents start with this header; each tile's counts, spreads and sums follow, in the film's
 /// order.

@@ -17,7 +17,7 @@ struct Start {
   std::array<char, 8> magic;
   Fingerprint fingerprint;
 };
-static_assert(std::is_trivially_copyable_v<Start> && sizeof(Start) == 8 + 3 * 4,
+static_assert(std::is_trivially_copyable_v<Start> && sizeof(Start) == 8 + 3 * 32,
               "the file has no gaps of unknown content");
 
 /// Returns why a file is not a valid checkpoint; empty if it is one.
@@ -44,6 +44,17 @@ std::string difference_between(const Fingerprint& found, const Fingerprint& expe
   return "";
 }
 
+/// Writes a checkpoint whose contents `fill` writes.
+bool put_frame(const grf::FileWriter& write, const CheckpointKind& kind, const Fingerprint& fingerprint,
+               const std::function<bool(const grf::FileWriter&)>& fill) {
+  std::uint32_t sum = 0;
+  const grf::FileWriter put = [&](std::string_view bytes) {
+    sum = check_sum(sum, bytes);
+    return write(bytes);
+  };
+  return put(bytes_of(Start{kind.magic, fingerprint})) && fill(put) && write(bytes_of(sum));
+}
+
 }  // namespace
 
 std::uint32_t check_sum(std::uint32_t before, std::string_view bytes) {
@@ -57,20 +68,31 @@ bool write_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
                             const std::function<bool(const grf::FileWriter&)>& fill,
                             grf::Diagnostics& diagnostics) {
   const auto fill_all = [&](const grf::FileWriter& write) {
-    std::uint32_t sum = 0;
-    const grf::FileWriter put = [&](std::string_view bytes) {
-      sum = check_sum(sum, bytes);
-      return write(bytes);
-    };
-    return put(bytes_of(Start{kind.magic, fingerprint})) && fill(put) && write(bytes_of(sum));
+    return put_frame(write, kind, fingerprint, fill);
   };
   return grf::replace_file(path, fill_all, diagnostics);
+}
+
+std::string checkpoint_frame(const CheckpointKind& kind, const Fingerprint& fingerprint,
+                             const std::function<bool(const grf::FileWriter&)>& fill) {
+  std::string bytes;
+  const auto append = [&](std::string_view more) {
+    bytes += more;
+    return true;
+  };
+  put_frame(append, kind, fingerprint, fill);
+  return bytes;
 }
 
 std::optional<CheckpointContents> read_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
                                                         grf::Diagnostics& diagnostics) {
   auto file = grf::read_file(path, diagnostics);
-  if (!file) return std::nullopt;
+  return file ? parse_checkpoint_frame(std::move(file), path, kind, diagnostics) : std::nullopt;
+}
+
+std::optional<CheckpointContents> parse_checkpoint_frame(std::shared_ptr<const std::string> file,
+                                                         const std::string& path, const CheckpointKind& kind,
+                                                         grf::Diagnostics& diagnostics) {
   std::string_view bytes = *file;
   const std::string defect = defect_of(bytes, kind);
   if (!defect.empty()) {

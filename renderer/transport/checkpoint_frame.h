@@ -14,20 +14,20 @@
 
 #include "grf/diagnostics.h"
 #include "grf/text_file.h"
+#include "renderer/transport/digest.h"
 
 namespace transport {
 
-/// Check sums of all that a result depends on besides its samples. Two runs are parts of one if all three
-/// agree.
+/// Digests of all that a result depends on besides its samples. Two runs are parts of one if all three agree.
 struct Fingerprint {
-  std::uint32_t options = 0;
-  std::uint32_t files = 0;    ///< contents of the scene's files
-  std::uint32_t program = 0;  ///< another build may round differently
+  Digest options = {};
+  Digest files = {};    ///< contents of the scene's files
+  Digest program = {};  ///< another build may round differently
 
   bool operator==(const Fingerprint&) const = default;
 };
 
-/// Extends a check sum by bytes; the first call takes 0.
+/// Extends a check sum (CRC-32) by bytes; the first call takes 0. It finds damage, and names nothing.
 std::uint32_t check_sum(std::uint32_t before, std::string_view bytes);
 
 /// A kind of checkpoint, such as that of a render or a bake.
@@ -37,6 +37,10 @@ struct CheckpointKind {
   std::string_view file = "checkpoint";  ///< as they call the file
   std::string_view failure = "cannot resume from the checkpoint";  ///< how they begin
 };
+
+/// Returns a checkpoint whose contents `fill` writes, which cannot fail, as bytes.
+std::string checkpoint_frame(const CheckpointKind& kind, const Fingerprint& fingerprint,
+                             const std::function<bool(const grf::FileWriter&)>& fill);
 
 /// Replaces the file with a checkpoint whose contents `fill` writes, or leaves it unchanged and reports why.
 bool write_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
@@ -58,6 +62,11 @@ std::optional<CheckpointContents> read_checkpoint_frame(const std::string& path,
 /// Reads a checkpoint of anything. A damaged one is an error.
 std::optional<CheckpointContents> read_checkpoint_frame(const std::string& path, const CheckpointKind& kind,
                                                         grf::Diagnostics& diagnostics);
+
+/// Reads the bytes of a checkpoint of anything likewise; messages name where they come from.
+std::optional<CheckpointContents> parse_checkpoint_frame(std::shared_ptr<const std::string> file,
+                                                         const std::string& path, const CheckpointKind& kind,
+                                                         grf::Diagnostics& diagnostics);
 
 /// Reports why a checkpoint cannot be used.
 void refuse_checkpoint(const std::string& path, const CheckpointKind& kind, const std::string& why,

@@ -11,7 +11,7 @@ namespace transport {
 namespace {
 
 constexpr CheckpointKind PartKind = {
-    {'G', 'R', 'F', 'P', 'R', 'T', '0', '1'}, "part", "part file", "cannot use the part file"};
+    {'G', 'R', 'F', 'P', 'R', 'T', '0', '2'}, "part", "part file", "cannot use the part file"};
 constexpr auto Halves = static_cast<std::size_t>(FilmTile::Scramblings);
 
 /// The file's contents start with this header; the description and the parts follow, and what there is of
@@ -76,7 +76,7 @@ bool is_possible(const RenderedPart& rendered) {
          part.end_tile > part.first_tile && part.index >= 0 && part.count > part.index;
 }
 
-std::optional<SamplePart> parse_part(std::string_view bytes) {
+std::optional<SamplePart> part_in(std::string_view bytes) {
   Reader reader(bytes);
   PartHeader header;
   constexpr std::uint32_t LargestSide = 1 << 20;
@@ -110,6 +110,32 @@ std::optional<SamplePart> parse_part(std::string_view bytes) {
   return reader.is_at_end() ? std::optional(std::move(part)) : std::nullopt;
 }
 
+bool put_tile(const PartTile& tile, const grf::FileWriter& write) {
+  const std::array<std::uint32_t, Halves> counts = {static_cast<std::uint32_t>(tile.samples[0].size()),
+                                                    static_cast<std::uint32_t>(tile.samples[1].size())};
+  return write(bytes_of(counts)) && write(bytes_of_all(tile.samples[0])) &&
+         write(bytes_of_all(tile.samples[1])) &&
+         (tile.is_empty() || (write(bytes_of(tile.spreads)) && write(bytes_of_all(tile.pixels))));
+}
+
+bool put_part(const SamplePart& part, const grf::FileWriter& write) {
+  const PartHeader header{part.width,  part.height,       part.image_samples,     part.is_adaptive,
+                          part.totals, part.parts.size(), part.description.size()};
+  return write(bytes_of(header)) && write(part.description) && write(bytes_of_all(part.parts)) &&
+         std::ranges::all_of(part.tiles, [&](const PartTile& tile) { return put_tile(tile, write); });
+}
+
+std::optional<SamplePart> part_of_contents(const CheckpointContents& contents, const std::string& path,
+                                           grf::Diagnostics& diagnostics) {
+  auto part = part_in(contents.bytes);
+  if (part) {
+    part->fingerprint = contents.fingerprint;
+  } else {
+    refuse_checkpoint(path, PartKind, "it is damaged (its contents contradict each other)", diagnostics);
+  }
+  return part;
+}
+
 }  // namespace
 
 SamplePart part_of(const Render& render, const Fingerprint& fingerprint, int image_samples) {
@@ -126,8 +152,8 @@ SamplePart part_of(const Render& render, const Fingerprint& fingerprint, int ima
   part.tiles.resize(static_cast<std::size_t>(render.film().tile_count()));
   FilmTile tile;
   for (int i = 0; i < render.film().tile_count(); ++i) {
+    if (render.sample_count_of(i) == 0) continue;
     render.copy_tile(i, tile);
-    if (tile.sample_count() == 0) continue;
     const auto index = static_cast<std::size_t>(i);
     const auto& all = render.part_samples();
     PartTile& own = part.tiles[index];
@@ -142,36 +168,35 @@ SamplePart part_of(const Render& render, const Fingerprint& fingerprint, int ima
 }
 
 bool write_part(const std::string& path, const SamplePart& part, grf::Diagnostics& diagnostics) {
-  const auto fill = [&](const grf::FileWriter& write) {
-    const PartHeader header{part.width,  part.height,       part.image_samples,     part.is_adaptive,
-                            part.totals, part.parts.size(), part.description.size()};
-    if (!write(bytes_of(header)) || !write(part.description) || !write(bytes_of_all(part.parts)))
-      return false;
-    for (const PartTile& tile : part.tiles) {
-      const std::array<std::uint32_t, Halves> counts = {static_cast<std::uint32_t>(tile.samples[0].size()),
-                                                        static_cast<std::uint32_t>(tile.samples[1].size())};
-      if (!write(bytes_of(counts)) || !write(bytes_of_all(tile.samples[0])) ||
-          !write(bytes_of_all(tile.samples[1]))) {
-        return false;
-      }
-      if (tile.is_empty()) continue;
-      if (!write(bytes_of(tile.spreads)) || !write(bytes_of_all(tile.pixels))) return false;
-    }
-    return true;
-  };
+  const auto fill = [&](const grf::FileWriter& write) { return put_part(part, write); };
   return write_checkpoint_frame(path, PartKind, part.fingerprint, fill, diagnostics);
 }
 
 std::optional<SamplePart> read_part(const std::string& path, grf::Diagnostics& diagnostics) {
   const auto contents = read_checkpoint_frame(path, PartKind, diagnostics);
-  if (!contents) return std::nullopt;
-  auto part = parse_part(contents->bytes);
-  if (part) {
-    part->fingerprint = contents->fingerprint;
-  } else {
-    refuse_checkpoint(path, PartKind, "it is damaged (its contents contradict each other)", diagnostics);
-  }
-  return part;
+  return contents ? part_of_contents(*contents, path, diagnostics) : std::nullopt;
+}
+
+std::string bytes_of(const SamplePart& part) {
+  return checkpoint_frame(PartKind, part.fingerprint,
+                          [&](const grf::FileWriter& write) { return put_part(part, write); });
+}
+
+std::optional<SamplePart> parse_part(std::string bytes, const std::string& origin,
+                                     grf::Diagnostics& diagnostics) {
+  const auto contents = parse_checkpoint_frame(std::make_shared<const std::string>(std::move(bytes)), origin,
+                                               PartKind, diagnostics);
+  return contents ? part_of_contents(*contents, origin, diagnostics) : std::nullopt;
+}
+
+Digest digest_of(const SamplePart& part) {
+  DigestBuilder builder;
+  const auto add = [&](std::string_view bytes) {
+    builder.add(bytes);
+    return true;
+  };
+  for (const PartTile& tile : part.tiles) put_tile(tile, add);
+  return builder.digest();
 }
 
 }  // namespace transport

@@ -9,6 +9,7 @@
 
 #include "grf/diagnostics.h"
 #include "renderer/transport/checkpoint_frame.h"
+#include "renderer/transport/digest.h"
 #include "renderer/transport/render.h"
 #include "renderer/transport/sample_intervals.h"
 
@@ -57,5 +58,15 @@ bool write_part(const std::string& path, const SamplePart& part, grf::Diagnostic
 
 /// Reads a part; a damaged or altered file is an error.
 std::optional<SamplePart> read_part(const std::string& path, grf::Diagnostics& diagnostics);
+
+/// Returns the bytes of a part's file.
+std::string bytes_of(const SamplePart& part);
+
+/// Reads these bytes likewise; messages name where they come from.
+std::optional<SamplePart> parse_part(std::string bytes, const std::string& origin,
+                                     grf::Diagnostics& diagnostics);
+
+/// Returns the digest of the numbers of a part's samples and of their sums: all that a machine computes.
+Digest digest_of(const SamplePart& part);
 
 }  // namespace transport

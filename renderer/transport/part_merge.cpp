@@ -84,7 +84,9 @@ bool PartMerge::fits(const SamplePart& part, const std::string& path, grf::Diagn
 
 bool PartMerge::add(SamplePart part, const std::string& path, grf::Diagnostics& diagnostics) {
   Origin origin{path, {}};
-  for (const PartTile& tile : part.tiles) origin.samples.push_back(tile.samples);
+  for (std::size_t tile = 0; tile < part.tiles.size(); ++tile) {
+    if (!part.tiles[tile].is_empty()) origin.samples[tile] = part.tiles[tile].samples;
+  }
   if (origins_.empty()) {
     sum_ = std::move(part);
     origins_.push_back(std::move(origin));
@@ -107,10 +109,10 @@ bool PartMerge::add(SamplePart part, const std::string& path, grf::Diagnostics& 
 bool PartMerge::is_repeated(const SamplePart& part, const Origin& origin,
                             grf::Diagnostics& diagnostics) const {
   const auto has_same = [&](const Origin& other) {
-    for (std::size_t tile = 0; tile < part.tiles.size(); ++tile) {
-      if (overlap(origin.samples[tile], other.samples[tile])) return true;
-    }
-    return false;
+    return std::ranges::any_of(origin.samples, [&](const auto& own) {
+      const auto same = other.samples.find(own.first);
+      return same != other.samples.end() && overlap(own.second, same->second);
+    });
   };
   const Origin& other = *std::ranges::find_if(origins_, has_same);
   const auto refuse = [&](std::string_view what) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,7 @@ class PartMerge {
  private:
   struct Origin {
     std::string path;
-    std::vector<TileIntervals> samples;  ///< by tile
+    std::map<std::size_t, TileIntervals> samples;  ///< by tile, of those that have any
   };
 
   bool fits(const SamplePart& part, const std::string& path, grf::Diagnostics& diagnostics) const;

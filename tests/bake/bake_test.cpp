@@ -336,7 +336,7 @@ TEST(Bake, LetsNoHalfDecideOverItself) {
 
 class BakeCheckpoint : public testing::Test {
  protected:
-  const transport::Fingerprint ours_{1, 2, 3};
+  const transport::Fingerprint ours_{{1}, {2}, {3}};
   const test::TemporaryFolder folder_;
   const std::string path_ = folder_.path("state");
   const BakeScene scene_{LitRoom};
@@ -399,10 +399,10 @@ TEST_F(BakeCheckpoint, RefusesWhatBelongsToSomethingElse) {
   bake.run();
   keep(bake);
   const BakeSettings same = bake_settings(100);
-  EXPECT_NE(refusal({1, 9, 3}, same).find("it belongs to a bake of a scene with other contents"),
+  EXPECT_NE(refusal({{1}, {9}, {3}}, same).find("it belongs to a bake of a scene with other contents"),
             std::string::npos);
-  EXPECT_NE(refusal({9, 2, 3}, same).find("a bake with other options"), std::string::npos);
-  EXPECT_NE(refusal({1, 2, 9}, same).find("by another build of bpt"), std::string::npos);
+  EXPECT_NE(refusal({{9}, {2}, {3}}, same).find("a bake with other options"), std::string::npos);
+  EXPECT_NE(refusal({{1}, {2}, {9}}, same).find("by another build of bpt"), std::string::npos);
   EXPECT_NE(refusal(ours_, bake_settings(50)).find("it has 100 samples per vertex, more than the 50"),
             std::string::npos);
   BakeSettings list = same;

@@ -15,7 +15,7 @@ using transport::Render;
 using transport::RenderEnd;
 using transport::RenderSettings;
 
-constexpr Fingerprint Ours = {1, 2, 3};
+constexpr Fingerprint Ours = {{1}, {2}, {3}};
 
 class Checkpoint : public testing::Test {
  protected:
@@ -190,9 +190,9 @@ TEST_F(Checkpoint, KeepsWhatWasDoneInAllRuns) {
 
 TEST_F(Checkpoint, OfAnotherImageIsRefused) {
   render_part(scene_, settings(10), 3000);
-  EXPECT_NE(refusal({9, 2, 3}, settings(10)).find("with other options"), std::string::npos);
-  EXPECT_NE(refusal({1, 9, 3}, settings(10)).find("of a scene with other contents"), std::string::npos);
-  EXPECT_NE(refusal({1, 2, 9}, settings(10)).find("by another build of bpt"), std::string::npos);
+  EXPECT_NE(refusal({{9}, {2}, {3}}, settings(10)).find("with other options"), std::string::npos);
+  EXPECT_NE(refusal({{1}, {9}, {3}}, settings(10)).find("of a scene with other contents"), std::string::npos);
+  EXPECT_NE(refusal({{1}, {2}, {9}}, settings(10)).find("by another build of bpt"), std::string::npos);
   RenderSettings other = settings(10);
   std::swap(other.width, other.height);
   EXPECT_NE(refusal(Ours, other).find("with other options"), std::string::npos);

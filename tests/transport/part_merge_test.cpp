@@ -20,7 +20,7 @@ using transport::PartMerge;
 using transport::Render;
 using transport::RenderSettings;
 
-constexpr Fingerprint OfImage = {1, 2, 3};
+constexpr Fingerprint OfImage = {{1}, {2}, {3}};
 
 class Parts : public testing::Test {
  protected:
@@ -191,9 +191,9 @@ TEST_F(Parts, OfOtherImagesAreRefused) {
     return rendered(settings(4), {.index = 1, .count = 3}, fingerprint);
   };
   const std::string of = "it is no part of the image that '" + first + "' is of: ";
-  merged({first, other({9, 2, 3})}, of + "it has other options");
-  merged({first, other({1, 9, 3})}, of + "the scene has other contents");
-  merged({first, other({1, 2, 9})}, of + "it is by another build of bpt");
+  merged({first, other({{9}, {2}, {3}})}, of + "it has other options");
+  merged({first, other({{1}, {9}, {3}})}, of + "the scene has other contents");
+  merged({first, other({{1}, {2}, {9}})}, of + "it is by another build of bpt");
   merged({first, rendered(settings(5), {.index = 1, .count = 3})},
          of + "it has 5 samples per pixel, and that one 4");
   RenderSettings larger = settings(4);
