@@ -130,6 +130,38 @@ bool unpack_entry(archive* reader, const fs::path& to) {
   return result == ARCHIVE_EOF && file.good();
 }
 
+/// Whether a name in a file leads out of a folder that the file is in.
+bool leads_outside(const fs::path& naming, std::string_view name, const fs::path& folder) {
+  const fs::path file = absolute(grf::path_beside(naming.string(), name)).lexically_relative(folder);
+  return file.empty() || *file.begin() == "..";
+}
+
+/// Returns a name in a scene that leads out of a folder; empty if there is none. Names are in quotes. As a
+/// quote in a comment makes it uncertain which quotes begin names, whatever is between two of them counts.
+std::string name_outside(std::string_view text, const fs::path& naming, const fs::path& folder) {
+  std::size_t from = text.find('"');
+  while (from != std::string_view::npos) {
+    const std::size_t end = text.find('"', from + 1);
+    if (end == std::string_view::npos) break;
+    const std::string_view name = text.substr(from + 1, end - from - 1);
+    const bool is_line = name.find('\n') == std::string_view::npos;
+    if (is_line && leads_outside(naming, name, folder)) return std::string(name);
+    from = end;
+  }
+  return "";
+}
+
+/// Returns a name in an OP file that leads out of a folder, of those files that a render reads; empty if
+/// there is none.
+std::string input_outside(const options::OpText& op_text, const fs::path& op, const fs::path& folder) {
+  for (const options::OptionInfo& option : options::option_table()) {
+    const bool is_input = option.key == "BPT_Scene" || option.key == "BPT_EM_Background";
+    const auto words = is_input ? op_text.words_of(option) : std::nullopt;
+    if (words && words->size() == 1 && leads_outside(op, words->front(), folder)) return words->front();
+  }
+  return "";
+}
+
 }  // namespace
 
 bool pack_job(const std::string& op_path, options::OpText op_text, const std::set<std::string>& files,
@@ -170,6 +202,7 @@ std::optional<std::string> unpack_job(const std::string& path, const std::string
     return refuse("it is no archive");
   }
   std::optional<std::string> op_path;
+  std::vector<fs::path> scenes;
   archive_entry* entry = nullptr;
   int result = ARCHIVE_OK;
   while ((result = archive_read_next_header(reader.get(), &entry)) == ARCHIVE_OK) {
@@ -183,10 +216,30 @@ std::optional<std::string> unpack_job(const std::string& path, const std::string
     if (!unpack_entry(reader.get(), to))
       return refuse(fmt::format("'{}' is damaged, or cannot be written", name));
     if (!op_path) op_path = to.string();
+    if (is_scene(to)) scenes.push_back(to);
   }
   if (result != ARCHIVE_EOF || !op_path || !op_path->ends_with(".op"))
     return refuse("it is damaged, or no job file");
+  const fs::path top = absolute(folder);
+  const auto op_text = grf::read_file(*op_path, diagnostics);
+  if (!op_text) return std::nullopt;
+  std::string outside = input_outside(options::OpText(*op_text), *op_path, top);
+  for (auto scene = scenes.begin(); scene != scenes.end() && outside.empty(); ++scene) {
+    const auto text = grf::read_file(scene->string(), diagnostics);
+    if (!text) return std::nullopt;
+    outside = name_outside(*text, *scene, top);
+  }
+  if (!outside.empty()) return refuse(fmt::format("its scene names '{}', outside of its folder", outside));
   return op_path;
+}
+
+bool are_inside(const std::set<std::string>& files, const std::string& folder) {
+  std::error_code error;
+  const fs::path top = fs::canonical(folder, error);
+  return std::ranges::all_of(files, [&](const std::string& path) {
+    const fs::path file = fs::canonical(path, error).lexically_relative(top);
+    return !error && !file.empty() && *file.begin() != "..";
+  });
 }
 
 }  // namespace job

@@ -17,8 +17,12 @@ bool pack_job(const std::string& op_path, options::OpText op_text, const std::se
               const std::string& output, grf::Diagnostics& diagnostics);
 
 /// Unpacks a job file into an empty folder, and returns the path of its OP file. An archive with names that
-/// lead out of the folder, with anything but files, or that is damaged, is an error.
+/// lead out of the folder, with anything but files, or that is damaged, is an error, and so are an OP file
+/// and scenes that name files outside of the folder.
 std::optional<std::string> unpack_job(const std::string& path, const std::string& folder,
                                       grf::Diagnostics& diagnostics);
+
+/// Returns whether files, which exist, are in a folder or below it.
+bool are_inside(const std::set<std::string>& files, const std::string& folder);
 
 }  // namespace job

@@ -77,6 +77,32 @@ TEST_F(JobFile, StaysInItsFolder) {
   EXPECT_THAT(error_of(archive_with({{"scene.grf", ""}})), HasSubstr("it is damaged, or no job file"));
 }
 
+TEST_F(JobFile, NamesNoFileOutsideOfItsFolder) {
+  const auto error_with = [&](const std::string& op, const std::string& scene) {
+    return error_of(archive_with({{"a/scene.op", op}, {"a/scene.grf", scene}}));
+  };
+  const std::string op = "BPT_Scene scene.grf\n";
+  EXPECT_EQ(error_with(op, "include \"../b/../other.grf\"\n# \"quoted\" 'words'\n"), "");
+  for (const char* scene :
+       {"include \"/etc/passwd\"", "include \"../../x.grf\"", "brdf diffuse texture \"..\\..\\x.png\"",
+        "# an odd \" quote\ninclude \"/etc/passwd\"", "\"a\" include \"b/../../../x.grf\""}) {
+    EXPECT_THAT(error_with(op, scene), HasSubstr("outside of its folder")) << scene;
+  }
+  for (const char* line : {"BPT_Scene /etc/passwd\n", "BPT_Scene ../../x.grf\n",
+                           "BPT_Scene scene.grf\nBPT_EM_Background /etc/x.exr\n"}) {
+    EXPECT_THAT(error_with(line, ""), HasSubstr("outside of its folder")) << line;
+  }
+}
+
+TEST_F(JobFile, KnowsWhichFilesAreInsideOfAFolder) {
+  const std::string inside = folder_.add("top/a/file", "");
+  const std::string outside = folder_.add("other", "");
+  fs::create_symlink(outside, folder_.path("top/link"));
+  EXPECT_TRUE(job::are_inside({inside, folder_.path("top/a/../a/file")}, folder_.path("top")));
+  EXPECT_FALSE(job::are_inside({inside, outside}, folder_.path("top")));
+  EXPECT_FALSE(job::are_inside({folder_.path("top/link")}, folder_.path("top")));
+}
+
 TEST_F(JobFile, ThatIsDamagedIsRefusedWithoutHarm) {
   std::ifstream file(
       archive_with({{"scene.op", std::string(3000, 'x')}, {"a/x.grf", std::string(3000, 'y')}}),
