@@ -9,13 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "grf/diagnostics.h"
-#include "renderer/command/image_description.h"
 #include "renderer/command/json_values.h"
 #include "renderer/command/part_arguments.h"
 #include "renderer/command/printed.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_progress.h"
-#include "renderer/transport/part_merge.h"
 
 namespace command {
 namespace {
@@ -44,42 +42,14 @@ ExitCode print_missing(const PartMerge& merge, bool as_json) {
   return list.empty() ? ExitCode::Done : ExitCode::BadInput;
 }
 
-/// Writes the image of all samples, and prints a summary.
 bool write_images(const PartMerge& merge, const MergeArguments& arguments, Diagnostics& diagnostics) {
   const transport::SamplePart& sum = merge.sum();
   const auto description =
       image_description_of(sum.description, static_cast<std::size_t>(sum.width) * sum.height);
-  if (!description) {
-    diagnostics.error(grf::whole_file(arguments.parts.front()),
-                      "the part with the first sample does not say what image it is of");
-    return false;
-  }
-  if (sum.totals.rejected > 0) {
-    diagnostics.warning(
-        {}, fmt::format("{} in pixel ({}, {})", rejected_samples_text(sum.totals.rejected),
-                        sum.totals.first_rejected % sum.width, sum.totals.first_rejected / sum.width));
-  }
-  const transport::Film film = merge.film();
-  const auto estimate = film.error_estimate();
-  const image::ImageFile file = image_file_of(film, *description, sum.totals.seconds, estimate);
-  bool are_written = true;
-  for (const std::string& output : arguments.outputs)
-    are_written &= image::write_image(file, output, diagnostics);
-  nlohmann::ordered_json summary = {{"output", arguments.outputs.front()},
-                                    {"width", sum.width},
-                                    {"height", sum.height},
-                                    {"samples", double(sum.totals.paths) / sum.width / sum.height},
-                                    {"render_seconds", sum.totals.seconds}};
-  add_estimate(estimate, summary);
-  if (arguments.json) {
-    fmt::print("{}\n", json_text(summary, false));
-    return are_written;
-  }
-  fmt::print("{}: {}x{} pixels, {} per pixel, rendered in {} altogether\n", arguments.outputs.front(),
-             sum.width, sum.height, samples_text(summary["samples"].get<double>()),
-             duration_text(sum.totals.seconds));
-  print_estimate(summary);
-  return are_written;
+  if (description) return write_merged(merge, *description, arguments.outputs, arguments.json, diagnostics);
+  diagnostics.error(grf::whole_file(arguments.parts.front()),
+                    "the part with the first sample does not say what image it is of");
+  return false;
 }
 
 bool write_sum(const PartMerge& merge, const MergeArguments& arguments, Diagnostics& diagnostics) {
@@ -94,6 +64,35 @@ bool write_sum(const PartMerge& merge, const MergeArguments& arguments, Diagnost
 }
 
 }  // namespace
+
+bool write_merged(const PartMerge& merge, const ImageDescription& description,
+                  const std::vector<std::string>& outputs, bool as_json, Diagnostics& diagnostics) {
+  const transport::SamplePart& sum = merge.sum();
+  if (sum.totals.rejected > 0) {
+    diagnostics.warning(
+        {}, fmt::format("{} in pixel ({}, {})", rejected_samples_text(sum.totals.rejected),
+                        sum.totals.first_rejected % sum.width, sum.totals.first_rejected / sum.width));
+  }
+  const transport::Film film = merge.film();
+  const auto estimate = film.error_estimate();
+  const image::ImageFile file = image_file_of(film, description, sum.totals.seconds, estimate);
+  bool are_written = true;
+  for (const std::string& output : outputs) are_written &= image::write_image(file, output, diagnostics);
+  nlohmann::ordered_json summary = {{"output", outputs.front()},
+                                    {"width", sum.width},
+                                    {"height", sum.height},
+                                    {"samples", double(sum.totals.paths) / sum.width / sum.height},
+                                    {"render_seconds", sum.totals.seconds}};
+  add_estimate(estimate, summary);
+  if (as_json) {
+    fmt::print("{}\n", json_text(summary, false));
+    return are_written;
+  }
+  fmt::print("{}: {}x{} pixels, {} per pixel, rendered in {} altogether\n", outputs.front(), sum.width,
+             sum.height, samples_text(summary["samples"].get<double>()), duration_text(sum.totals.seconds));
+  print_estimate(summary);
+  return are_written;
+}
 
 ExitCode merge(const MergeArguments& arguments) {
   const bool has_part =

@@ -3,7 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "grf/diagnostics.h"
 #include "grf/exit_code.h"
+#include "renderer/command/image_description.h"
+#include "renderer/transport/part_merge.h"
 
 namespace command {
 
@@ -18,5 +21,9 @@ struct MergeArguments {
 /// Merges parts of an image to the image, or to a larger part, and prints a summary. An image of which
 /// samples lack is not written.
 grf::ExitCode merge(const MergeArguments& arguments);
+
+/// Writes the image of a merge that has all samples, and prints a summary.
+bool write_merged(const transport::PartMerge& merge, const ImageDescription& description,
+                  const std::vector<std::string>& outputs, bool as_json, grf::Diagnostics& diagnostics);
 
 }  // namespace command

@@ -10,6 +10,7 @@
 
 #include "grf/text_file.h"
 #include "renderer/command/json_values.h"
+#include "renderer/command/printed.h"
 #include "renderer/command/render_output.h"
 #include "renderer/job/job_file.h"
 #include "renderer/job/render_job.h"
@@ -28,17 +29,17 @@ struct Packable {
   options::OpText text;
 };
 
-std::optional<Packable> packable_of(const PackArguments& arguments, const RenderOptions& render_options,
-                                    Diagnostics& diagnostics) {
-  Packable packable{fs::path(arguments.scene).replace_extension(".op").string(), {}};
-  const bool has_file = packable.op_path == arguments.scene;
+std::optional<Packable> packable_of(const std::string& scene, const OptionFlags& flags,
+                                    const RenderOptions& render_options, Diagnostics& diagnostics) {
+  Packable packable{fs::path(scene).replace_extension(".op").string(), {}};
+  const bool has_file = packable.op_path == scene;
   if (has_file) {
-    const auto text = grf::read_file(arguments.scene, diagnostics);
+    const auto text = grf::read_file(scene, diagnostics);
     if (!text) return std::nullopt;
     packable.text = options::OpText(*text);
   }
   for (const options::OptionInfo& option : options::option_table()) {
-    const bool is_given = arguments.flags.contains(std::string(option.flag)) && !option.flag.empty();
+    const bool is_given = flags.contains(std::string(option.flag)) && !option.flag.empty();
     const bool is_scene = option.key == "BPT_Scene" && !has_file;
     if (!is_given && !is_scene) continue;
     std::vector<std::string> words = option_words(render_options, option);
@@ -72,15 +73,20 @@ std::optional<std::string> UnpackedJob::unpack(const std::string& path, Diagnost
   return std::nullopt;
 }
 
+ExitCode pack_scene(const std::string& scene, const OptionFlags& flags, const std::string& output,
+                    Diagnostics& diagnostics) {
+  auto render_options = read_options(scene, diagnostics);
+  if (!render_options) return ExitCode::BadInput;
+  if (!apply_flags(flags, *render_options)) return ExitCode::BadCommandLine;
+  if (!can_write_file(output, "job file", diagnostics)) return ExitCode::BadInput;
+  const auto packable = packable_of(scene, flags, *render_options, diagnostics);
+  const bool is_packed =
+      packable && job::render_job(*render_options, diagnostics) &&
+      job::pack_job(packable->op_path, packable->text, diagnostics.files(), output, diagnostics);
+  return is_packed ? ExitCode::Done : ExitCode::BadInput;
+}
+
 ExitCode pack(const PackArguments& arguments) {
-  Diagnostics diagnostics;
-  const auto fail = [&] {
-    fmt::print(stderr, "{}", diagnostics.to_text());
-    return ExitCode::BadInput;
-  };
-  auto render_options = read_options(arguments.scene, diagnostics);
-  if (!render_options) return fail();
-  if (!apply_flags(arguments.flags, *render_options)) return ExitCode::BadCommandLine;
   const std::string output = arguments.output.empty()
                                  ? fs::path(arguments.scene).filename().replace_extension(".grfjob").string()
                                  : arguments.output;
@@ -88,18 +94,16 @@ ExitCode pack(const PackArguments& arguments) {
     fmt::print(stderr, "error: the name of a job file ends in .grfjob\n");
     return ExitCode::BadCommandLine;
   }
-  if (!can_write_file(output, "job file", diagnostics)) return fail();
-  const auto packable = packable_of(arguments, *render_options, diagnostics);
-  if (!packable || !job::render_job(*render_options, diagnostics)) return fail();
-  if (!job::pack_job(packable->op_path, packable->text, diagnostics.files(), output, diagnostics))
-    return fail();
-  if (Diagnostics of_packed; !is_complete(output, of_packed)) {
+  Diagnostics diagnostics;
+  ExitCode code = pack_scene(arguments.scene, arguments.flags, output, diagnostics);
+  if (Diagnostics of_packed; code == ExitCode::Done && !is_complete(output, of_packed)) {
     for (const auto& entry : of_packed.entries()) diagnostics.error(entry.location, entry.message);
     diagnostics.error(grf::whole_file(output),
                       "the job file lacks a file that the scene names in an unusual way");
-    return fail();
+    code = ExitCode::BadInput;
   }
-  fmt::print(stderr, "{}", diagnostics.to_text());
+  print(diagnostics);
+  if (code != ExitCode::Done) return code;
   const nlohmann::ordered_json summary = {{"output", output}, {"bytes", fs::file_size(output)}};
   if (arguments.json) fmt::print("{}\n", json_text(summary, false));
   if (!arguments.json) fmt::print("{}: {} bytes\n", output, fs::file_size(output));

@@ -21,6 +21,11 @@ struct PackArguments {
 /// Packs a scene with all files that it reads into a job file, and prints its name.
 grf::ExitCode pack(const PackArguments& arguments);
 
+/// Packs it likewise, and prints only errors of flags. The file may lack what a scene names in an unusual
+/// way.
+grf::ExitCode pack_scene(const std::string& scene, const OptionFlags& flags, const std::string& output,
+                         grf::Diagnostics& diagnostics);
+
 /// Whether a file is a job file, by its name.
 bool is_job_file(const std::string& path);
 
