@@ -13,9 +13,11 @@
 #include "command_line/manual.h"
 #include "renderer/command/bake_command.h"
 #include "renderer/command/brdf_command.h"
+#include "renderer/command/command_line.h"
 #include "renderer/command/compare_command.h"
 #include "renderer/command/cost_command.h"
 #include "renderer/command/decode_command.h"
+#include "renderer/command/farm_command_line.h"
 #include "renderer/command/merge_command.h"
 #include "renderer/command/noise_command.h"
 #include "renderer/command/pack_command.h"
@@ -26,54 +28,10 @@
 
 namespace {
 
+using command::add_option;
+using command::add_progress;
+using command::add_scene_options;
 using grf::ExitCode;
-
-/// Names the value in `--help`. A pair of numbers is one word on the command line, such as `640x480`.
-std::string type_name_of(const options::OptionInfo& option) {
-  if (std::holds_alternative<options::SizeOption>(option.value)) return "WxH";
-  return options::word_count(option) == 2 ? "MxN" : std::string(option.values);
-}
-
-void add_progress(CLI::App& command, std::string& progress) {
-  command
-      .add_option(
-          "--progress", progress,
-          "bar: a progress bar on standard error, if that is a terminal; json: one JSON object per line on "
-          "standard output, up to four times per second, with done (0 to 1), seconds, seconds_left, "
-          "estimated_error (null while unknown), image (null until it is written: the last line names it) "
-          "and, of a render with a target error, forecasts as by --forecast; none (bar)")
-      ->type_name("bar|json|none")
-      ->check(CLI::IsMember({"bar", "json", "none"}));
-}
-
-/// Adds the flag of a render option.
-void add_option(CLI::App& command, const options::OptionInfo& option, command::OptionFlags& flags) {
-  const std::string flag(option.flag);
-  command
-      .add_option_function<std::string>(
-          flag, [&flags, flag](const std::string& text) { flags[flag] = text; },
-          fmt::format("{} ({})", option.meaning, option.default_value))
-      ->type_name(type_name_of(option));
-}
-
-/// Adds the scene argument, and all flags of the option table except `--output`.
-void add_scene_options(CLI::App& command, std::string& scene, command::OptionFlags& flags) {
-  command.add_option("scene", scene, "an OP file or a GRF scene")
-      ->required()
-      ->type_name("SCENE.op|SCENE.grf");
-  for (const options::OptionInfo& option : options::option_table()) {
-    if (option.flag.empty() || option.flag == "--output") continue;
-    if (std::holds_alternative<options::BooleanOption<bool>>(option.value)) {
-      // `--irradiance` on its own, or `--irradiance=false` to override the OP file.
-      const std::string flag(option.flag);
-      command.add_flag_function(
-          flag, [&flags, flag](std::int64_t count) { flags[flag] = count > 0 ? "true" : "false"; },
-          std::string(option.meaning));
-      continue;
-    }
-    add_option(command, option, flags);
-  }
-}
 
 void add_noise(CLI::App& app, command::NoiseArguments& arguments) {
   CLI::App* noise =
@@ -445,6 +403,7 @@ ExitCode run(int argc, char** argv) {
   add_pack(app, pack_arguments);
   command::MergeArguments merge_arguments;
   add_merge(app, merge_arguments);
+  command::FarmCommandLine farm_command_line(app);
   command::BakeArguments bake_arguments;
   add_bake(app, bake_arguments);
   command::PlanArguments plan_arguments;
@@ -477,6 +436,7 @@ ExitCode run(int argc, char** argv) {
   if (app.got_subcommand("plan")) return command::plan(plan_arguments);
   if (app.got_subcommand("pack")) return command::pack(pack_arguments);
   if (app.got_subcommand("merge")) return command::merge(merge_arguments);
+  if (app.got_subcommand("farm")) return farm_command_line.run();
   if (app.got_subcommand("bake")) return command::bake(bake_arguments);
   return command::render(arguments);
 }

@@ -1,0 +1,365 @@
+#include "renderer/farm/coordinator.h"
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace farm {
+namespace {
+
+using grf::Diagnostics;
+using std::chrono::milliseconds;
+using transport::ImagePart;
+using transport::SamplePart;
+
+constexpr std::chrono::seconds CheckInterval{1};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Returns a part with a few samples all over the image: `samples` of about this many halves of tiles.
+ImagePart spread_part(int tiles, int samples) {
+  constexpr int HalvesWanted = 32;
+  const int count = std::max(1, static_cast<int>(transport::FilmTile::Scramblings) * tiles / HalvesWanted);
+  ImagePart part;
+  part.end_sample = samples;
+  part.count = count;
+  return part;
+}
+
+/// A record of the ledger that has a part: a line of JSON, and the bytes of the part.
+std::string record_of(int task, std::string_view worker, std::string_view bytes) {
+  return fmt::format("{{\"task\":{},\"worker\":\"{}\"}}\n", task, worker).append(bytes);
+}
+
+bool is_part(std::string_view record) { return record.starts_with("{\"task\":"); }
+
+}  // namespace
+
+Coordinator::Coordinator(const Farm& farm, const OpenedJob& job, const CoordinatorSettings& settings)
+    : farm_(farm), job_(job), settings_(settings) {
+  info_.id = new_identifier();
+  info_.name = settings.name;
+  info_.host = host_name();
+  info_.created = std::time(nullptr);
+  info_.version = settings.version;
+  info_.instruction_set = InstructionSet;
+  info_.fingerprint = job.fingerprint;
+  info_.lease_seconds = settings.lease_seconds;
+}
+
+void Coordinator::stop() {
+  is_stopped_ = true;
+  renders_.stop();
+}
+
+bool Coordinator::submit(std::string_view job_file, Diagnostics& diagnostics) {
+  job_file_ = job_file;
+  info_.content = transport::digest_of(job_file);
+  info_.bytes = job_file.size();
+  if (info_.bytes > LargestJob) {
+    diagnostics.error({}, "the job file is too large for a farm");
+    return false;
+  }
+  if (!measure(diagnostics) || !open_ledger(diagnostics)) return false;
+  if (is_complete() || put_on_farm()) return true;
+  diagnostics.error({}, "the farm's server takes no job: it does not answer, or its disk is full");
+  return false;
+}
+
+/// Renders the probe, and divides the image by the time that its samples take.
+bool Coordinator::measure(Diagnostics& diagnostics) {
+  constexpr double Enough = 0.2;
+  const transport::RenderSettings& settings = job_.job->settings;
+  const int tiles = transport::Film(settings.width, settings.height).tile_count();
+  double seconds_per_path = 0;
+  for (int samples = std::min(2, settings.samples);; samples = std::min(4 * samples, settings.samples)) {
+    const ImagePart part = spread_part(tiles, samples);
+    const auto rendered = renders_.run(job_, part);
+    if (!rendered) return false;  // stopped
+    info_.probe = part;
+    info_.probe_digest = transport::digest_of(*rendered);
+    const double paths = std::max<double>(1, static_cast<double>(rendered->totals.paths));
+    seconds_per_path = rendered->totals.seconds / paths;
+    if (rendered->totals.seconds >= Enough || samples == settings.samples) break;
+  }
+  if (tile_bytes(tiles) > farm_.largest_message()) {
+    diagnostics.error({}, "the image is too large for the messages of the farm's server");
+    return false;
+  }
+  const TaskLimits limits{settings_.part_seconds, farm_.largest_message() * 9 / 10};
+  tasks_ = divide(settings.width, settings.height, settings.samples, seconds_per_path, limits);
+  constexpr std::size_t MostTasks = 1'000'000;
+  if (tasks_.size() <= MostTasks) return true;
+  diagnostics.error({}, fmt::format("the image has {} parts, more than a farm can hold: make them longer "
+                                    "(--part-seconds)",
+                                    tasks_.size()));
+  return false;
+}
+
+bool Coordinator::open_ledger(Diagnostics& diagnostics) {
+  bool has_records = false;
+  const auto take = [&](std::string_view record) {
+    has_records = true;
+    return is_part(record) || take_line(record, diagnostics);
+  };
+  ledger_ = Ledger::open(settings_.ledger, take, diagnostics);
+  return ledger_ && (has_records ? rebuild(diagnostics) : begin_ledger(diagnostics));
+}
+
+/// Writes what the job is: another run of the coordinator goes on with its identifier and its division.
+bool Coordinator::begin_ledger(Diagnostics& diagnostics) {
+  auto tasks = nlohmann::json::array();
+  for (const ImagePart& part : tasks_)
+    tasks.push_back({part.first_sample, part.end_sample, part.first_tile, part.end_tile});
+  const nlohmann::json start = {{"job", info_.id},
+                                {"created", info_.created},
+                                {"content", transport::hex(info_.content)},
+                                {"program", transport::hex(info_.fingerprint.program)},
+                                {"tasks", tasks}};
+  if (ledger_->append(start.dump()) && ledger_->sync()) return true;
+  diagnostics.error(grf::whole_file(ledger_->path()), "cannot write the ledger");
+  return false;
+}
+
+/// Takes a record of the ledger that is no part: its beginning, or that a worker was dropped. The file is our
+/// own, and has check sums: what does not fit is of another image.
+bool Coordinator::take_line(std::string_view record, Diagnostics& diagnostics) try {
+  const auto fail = [&](std::string_view why) {
+    diagnostics.error(
+        grf::whole_file(settings_.ledger),
+        fmt::format("the ledger belongs to {}; remove it, or name another output, to start over", why));
+    return false;
+  };
+  const auto line = nlohmann::json::parse(record);
+  if (line.contains("dropped")) {
+    dropped_.insert(line.at("dropped").get<std::string>());
+    return true;
+  }
+  if (line.at("content") != transport::hex(info_.content)) return fail("another scene, or other options");
+  if (line.at("program") != transport::hex(info_.fingerprint.program)) return fail("another build of bpt");
+  info_.id = line.at("job");
+  info_.created = line.at("created");
+  tasks_.clear();
+  for (const auto& [first, last, tile, end_tile] :
+       line.at("tasks").get<std::vector<std::tuple<int, int, int, int>>>()) {
+    tasks_.push_back({first, last, tile, end_tile});
+  }
+  return true;
+} catch (const nlohmann::json::exception&) {
+  diagnostics.error(grf::whole_file(settings_.ledger), "it is no ledger of this version of bpt");
+  return false;
+}
+
+/// Adds up the parts of the ledger, without those of workers that were dropped.
+bool Coordinator::rebuild(Diagnostics& diagnostics) {
+  merge_ = {};
+  done_.clear();
+  return ledger_->read([&](std::string_view record) {
+    if (!is_part(record)) return true;
+    const std::size_t end = record.find('\n');
+    const auto line = nlohmann::json::parse(record.substr(0, end));
+    const std::string worker = line.at("worker");
+    if (dropped_.contains(worker)) return true;
+    auto part = transport::parse_part(std::string(record.substr(end + 1)), settings_.ledger, diagnostics);
+    if (!part) return false;
+    done_[line.at("task").get<int>()] = {transport::digest_of(*part), worker};
+    return merge_.add(std::move(*part), settings_.ledger, diagnostics);
+  });
+}
+
+std::vector<Task> Coordinator::missing() const {
+  std::vector<Task> tasks;
+  for (int number = 0; std::cmp_less(number, tasks_.size()); ++number) {
+    if (!done_.contains(number)) tasks.push_back({number, tasks_[static_cast<std::size_t>(number)]});
+  }
+  return tasks;
+}
+
+bool Coordinator::put_on_farm() {
+  last_given_ = Clock::now();
+  return farm_.add_streams() && farm_.put_content(info_.content, job_file_) && farm_.put_job(info_) &&
+         farm_.clear_tasks(info_.id) && farm_.put_tasks(info_.id, missing());
+}
+
+bool Coordinator::run(const std::function<void(const Progress&)>& show, Diagnostics& diagnostics) {
+  constexpr int MostAtOnce = 64;
+  constexpr milliseconds Wait{100};
+  start_ = Clock::now();
+  done_before_ = done_.size();
+  progress_.parts = static_cast<int>(tasks_.size());
+  std::optional<Subscription> results;
+  while (!is_complete() && !is_stopped_) {
+    if (!results) results = farm_.results(info_.id);
+    const auto messages = results ? results->fetch(MostAtOnce, Wait) : std::vector<Message>();
+    if (!results) std::this_thread::sleep_for(Wait);
+    for (const Message& message : messages) {
+      const auto result = Farm::result_of(message);
+      if (result && !take(*result, diagnostics)) return false;
+    }
+    if (!messages.empty() && !ledger_->sync()) {
+      diagnostics.error(grf::whole_file(ledger_->path()), "cannot write the ledger");
+      return false;
+    }
+    for (const Message& message : messages) message.acknowledge();
+    if (Clock::now() >= next_check_) {
+      if (!check_farm(diagnostics)) return false;
+      next_check_ = Clock::now() + CheckInterval;
+    }
+    progress_.parts_done = static_cast<int>(done_.size());
+    show(progress_);
+  }
+  return true;
+}
+
+/// Returns why a part is not what was asked for; empty if it is.
+std::string Coordinator::defect_of(const SamplePart& part, const Task& task) const {
+  const transport::RenderSettings& settings = job_.job->settings;
+  if (part.fingerprint != info_.fingerprint) return "it is of another image";
+  if (std::cmp_not_equal(part.width, settings.width) || std::cmp_not_equal(part.height, settings.height) ||
+      std::cmp_not_equal(part.image_samples, settings.samples) || part.is_adaptive != 0) {
+    return "it has another size";
+  }
+  const std::vector<transport::FilmTile::Counts> counts(part.tiles.size(),
+                                                        transport::uniform_counts(settings.samples));
+  const auto wanted = transport::samples_of(task.part, counts);
+  for (std::size_t tile = 0; tile < part.tiles.size(); ++tile) {
+    for (std::size_t half = 0; half < counts[tile].size(); ++half) {
+      transport::SampleIntervals samples;
+      const transport::SampleInterval own{wanted[tile].first[half], wanted[tile].end[half]};
+      if (own.end > own.first) samples = {own};
+      if (part.tiles[tile].samples[half] != samples) return "it has other samples";
+    }
+    if (part.tiles[tile].spreads != std::array<double, 2>()) return "it has a pilot";
+  }
+  const bool has_time = part.totals.seconds >= 0 && part.totals.seconds < 1e9;  // false for NaN
+  return has_time && part.description.empty() ? "" : "its totals are impossible";
+}
+
+/// Takes a part that a worker brought. False only if the ledger failed.
+bool Coordinator::take(const Result& result, Diagnostics& diagnostics) {
+  if (dropped_.contains(result.worker)) return true;
+  Diagnostics of_part;
+  auto part = transport::parse_part(std::string(result.bytes), "part", of_part);
+  const bool is_task = std::cmp_less(result.task, tasks_.size());
+  std::string defect = "it is no part file, or is damaged";
+  if (part && is_task) {
+    defect = defect_of(*part, {result.task, tasks_[static_cast<std::size_t>(result.task)]});
+  }
+  if (!defect.empty()) return drop(result.worker, fmt::format("of a part, {}", defect), diagnostics);
+  const transport::Digest digest = transport::digest_of(*part);
+  if (done_.contains(result.task)) return take_repeated(result, digest, diagnostics);
+  if (!ledger_->append(record_of(result.task, result.worker, result.bytes))) {
+    diagnostics.error(grf::whole_file(ledger_->path()), "cannot write the ledger");
+    return false;
+  }
+  done_[result.task] = {digest, result.worker};
+  last_given_ = Clock::now();
+  return merge_.add(std::move(*part), settings_.ledger, diagnostics);
+}
+
+/// Takes a part that was merged already. If it has other values, the coordinator renders it, and drops
+/// whoever was wrong.
+bool Coordinator::take_repeated(const Result& result, const transport::Digest& digest,
+                                Diagnostics& diagnostics) {
+  const Done earlier = done_.at(result.task);
+  if (earlier.digest == digest) return true;
+  const auto own = renders_.run(job_, tasks_[static_cast<std::size_t>(result.task)]);
+  if (!own) return true;  // stopped
+  const std::string why = "a part has other values than those that are right";
+  if (transport::digest_of(*own) != digest && !drop(result.worker, why, diagnostics)) return false;
+  if (transport::digest_of(*own) == earlier.digest) return true;
+  return drop(earlier.worker, why, diagnostics);
+}
+
+/// Takes nothing more from a worker, and does its parts again.
+bool Coordinator::drop(const std::string& worker, const std::string& why, Diagnostics& diagnostics) {
+  if (!dropped_.insert(worker).second) return true;
+  warnings_.push_back(fmt::format("worker {} was dropped: {}", worker, why));
+  farm_.drop_worker(info_.id, worker, why);
+  const nlohmann::json record = {{"dropped", worker}};
+  if (!ledger_->append(record.dump())) {
+    diagnostics.error(grf::whole_file(ledger_->path()), "cannot write the ledger");
+    return false;
+  }
+  std::vector<Task> again;
+  for (const auto& [task, done] : done_) {
+    if (done.worker == worker) again.push_back({task, tasks_[static_cast<std::size_t>(task)]});
+  }
+  if (!again.empty() && !rebuild(diagnostics)) return false;
+  farm_.put_tasks(info_.id, again);
+  return true;
+}
+
+/// Looks after the queue. False if the job was stopped by somebody else, or the server refuses the
+/// coordinator.
+bool Coordinator::check_farm(Diagnostics& diagnostics) {
+  if (farm_.is_closed()) {
+    diagnostics.error({}, "the server refuses the connection; the same command resumes the work");
+    return false;
+  }
+  if (farm_.was_stopped(info_.id)) {
+    diagnostics.error({}, "the job was stopped; the same command resumes it");
+    return false;
+  }
+  // A server that lost its folder gets all anew; one that does not answer takes nothing now, and is asked
+  // again.
+  const auto state = farm_.task_state(info_.id);
+  if (!state || !farm_.has_job(info_.id).value_or(false)) {
+    put_on_farm();
+  } else {
+    give_again(*state);
+  }
+  update_progress();
+  return true;
+}
+
+/// Gives tasks again whose parts are late, once no task waits for a worker.
+void Coordinator::give_again(const QueueState& state) {
+  if (state.waiting > 0) {
+    last_given_ = Clock::now();
+    patience_ = 0;
+    return;
+  }
+  const double least = std::min(settings_.lease_seconds, std::max(2 * settings_.part_seconds, 1.0));
+  patience_ = std::max(patience_, least);
+  if (seconds_since(last_given_) < patience_) return;
+  farm_.put_tasks(info_.id, missing());
+  last_given_ = Clock::now();
+  patience_ *= 2;
+}
+
+void Coordinator::update_progress() {
+  const double seconds = seconds_since(start_);
+  const double rate = static_cast<double>(done_.size() - std::min(done_before_, done_.size())) / seconds;
+  progress_.seconds_left.reset();
+  if (rate > 0) progress_.seconds_left = static_cast<double>(tasks_.size() - done_.size()) / rate;
+  const auto workers = farm_.workers();
+  if (workers) {
+    progress_.workers = static_cast<int>(
+        std::ranges::count_if(*workers, [&](const WorkerInfo& worker) { return worker.job == info_.id; }));
+  }
+  if (!done_.empty() && Clock::now() >= next_estimate_) {
+    const auto start = Clock::now();
+    const auto estimate = merge_.film().error_estimate();
+    progress_.error = estimate ? std::optional(estimate->error) : std::nullopt;
+    next_estimate_ = Clock::now() + std::max<Clock::duration>(CheckInterval, 20 * (Clock::now() - start));
+  }
+  progress_.time = std::time(nullptr);
+  farm_.put_progress(info_.id, progress_);
+}
+
+void Coordinator::finish() {
+  farm_.remove_job(info_);
+  ::unlink(settings_.ledger.c_str());
+}
+
+}  // namespace farm

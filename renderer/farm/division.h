@@ -1,0 +1,26 @@
+// An image is divided into tasks for the machines of a farm.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "renderer/transport/image_part.h"
+
+namespace farm {
+
+/// What tasks are limited by.
+struct TaskLimits {
+  double seconds = 2;             ///< of one thread, which a task takes about
+  std::size_t bytes = 1U << 20U;  ///< of a part file, at most, as far as a tile is smaller
+};
+
+/// Returns the bytes of a part file that has samples of one of this many tiles.
+std::size_t tile_bytes(int tiles);
+
+/// Divides an image with this many samples per pixel, each of which takes so many seconds of one thread. A
+/// task has all samples of consecutive tiles, as its part file has a size for each tile that it has samples
+/// of; or, where that takes too long, some samples of one tile. Tasks together have each sample once.
+std::vector<transport::ImagePart> divide(int width, int height, int samples, double seconds_per_sample,
+                                         const TaskLimits& limits);
+
+}  // namespace farm

@@ -1,0 +1,94 @@
+#include "renderer/farm/opened_job.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "renderer/job/job_file.h"
+#include "renderer/job/render_fingerprint.h"
+#include "renderer/options/op_file.h"
+
+namespace farm {
+namespace {
+
+using grf::Diagnostics;
+using options::RenderOptions;
+
+/// Clears the options for files, except those that are read for the image.
+void forget_outputs(RenderOptions& render_options) {
+  for (const options::OptionInfo& option : options::option_table()) {
+    const auto* path = std::get_if<options::PathOption>(&option.value);
+    const bool is_input = option.key == "BPT_Scene" || option.key == "BPT_EM_Background";
+    if (path != nullptr && !is_input) (render_options.*(path->field)).clear();
+  }
+  render_options.display_server.clear();
+}
+
+bool can_divide(const RenderOptions& render_options, Diagnostics& diagnostics) {
+  const auto refuse = [&](std::string_view key, std::string_view why) {
+    diagnostics.error(render_options.locations.of(key),
+                      fmt::format("a farm renders images with a number of samples: {}", why));
+    return false;
+  };
+  if (render_options.target_error) return refuse("BPT_TargetError", "a target error has none");
+  if (render_options.max_seconds) return refuse("BPT_MaxTime", "a time limit has none");
+  if (render_options.adaptive) return refuse("BPT_Adaptive", "adaptive sampling places them only later");
+  if (render_options.frames != 1) return refuse("BPT_Frames", "give each frame on its own (BPT_Frame)");
+  return true;
+}
+
+}  // namespace
+
+std::unique_ptr<OpenedJob> open_job(const std::string& path, Diagnostics& diagnostics) {
+  auto opened = std::make_unique<OpenedJob>();
+  const std::string folder = opened->folder.path().string();
+  const auto op_path = job::unpack_job(path, folder, diagnostics);
+  if (!op_path) return nullptr;
+  Diagnostics of_scene;
+  auto render_options = options::read_op_file(*op_path, of_scene);
+  if (render_options) {
+    forget_outputs(*render_options);
+    if (can_divide(*render_options, of_scene)) opened->job = job::render_job(*render_options, of_scene);
+  }
+  for (const grf::Diagnostic& entry : of_scene.entries()) {
+    if (entry.severity == grf::Severity::Error) diagnostics.error(entry.location, entry.message);
+    if (entry.severity == grf::Severity::Warning) diagnostics.warning(entry.location, entry.message);
+  }
+  if (!opened->job) return nullptr;
+  if (!job::are_inside(of_scene.files(), folder)) {
+    diagnostics.error(grf::whole_file(path), "the job reads files outside of its folder");
+    return nullptr;
+  }
+  opened->job->settings.threads = 1;
+  opened->fingerprint = job::fingerprint_of(*render_options, of_scene.files());
+  opened->options = *std::move(render_options);
+  return opened;
+}
+
+std::optional<transport::SamplePart> RunningRenders::run(const OpenedJob& job,
+                                                         const transport::ImagePart& part) {
+  transport::RenderSettings settings = job.job->settings;
+  settings.part = part;
+  transport::Render render(job.job->scene, settings);
+  {
+    const std::lock_guard lock(lock_);
+    if (is_stopped_) return std::nullopt;
+    renders_.push_back(&render);
+  }
+  render.run();
+  {
+    const std::lock_guard lock(lock_);
+    std::erase(renders_, &render);
+  }
+  if (render.is_stopped()) return std::nullopt;
+  return transport::part_of(render, job.fingerprint, settings.samples);
+}
+
+void RunningRenders::stop() {
+  const std::lock_guard lock(lock_);
+  is_stopped_ = true;
+  for (transport::Render* render : renders_) render->stop();
+}
+
+}  // namespace farm
