@@ -25,6 +25,12 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Returns when to do again what took this time, so that it takes 1/20 of the time at most.
+std::chrono::steady_clock::time_point later_by(std::chrono::steady_clock::duration time) {
+  return std::chrono::steady_clock::now() +
+         std::max<std::chrono::steady_clock::duration>(CheckInterval, 20 * time);
+}
+
 /// Returns a part with a few samples all over the image: `samples` of about this many halves of tiles.
 ImagePart spread_part(int tiles, int samples) {
   constexpr int HalvesWanted = 32;
@@ -342,16 +348,18 @@ void Coordinator::update_progress() {
   const double rate = static_cast<double>(done_.size() - std::min(done_before_, done_.size())) / seconds;
   progress_.seconds_left.reset();
   if (rate > 0) progress_.seconds_left = static_cast<double>(tasks_.size() - done_.size()) / rate;
-  const auto workers = farm_.workers();
-  if (workers) {
+  if (Clock::now() >= next_count_) {
+    const auto start = Clock::now();
+    const auto workers = farm_.workers().value_or(std::vector<WorkerInfo>());
     progress_.workers = static_cast<int>(
-        std::ranges::count_if(*workers, [&](const WorkerInfo& worker) { return worker.job == info_.id; }));
+        std::ranges::count_if(workers, [&](const WorkerInfo& worker) { return worker.job == info_.id; }));
+    next_count_ = later_by(Clock::now() - start);
   }
   if (!done_.empty() && Clock::now() >= next_estimate_) {
     const auto start = Clock::now();
     const auto estimate = merge_.film().error_estimate();
     progress_.error = estimate ? std::optional(estimate->error) : std::nullopt;
-    next_estimate_ = Clock::now() + std::max<Clock::duration>(CheckInterval, 20 * (Clock::now() - start));
+    next_estimate_ = later_by(Clock::now() - start);
   }
   progress_.time = std::time(nullptr);
   farm_.put_progress(info_.id, progress_);

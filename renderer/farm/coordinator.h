@@ -98,6 +98,7 @@ class Coordinator {
   std::size_t done_before_ = 0;  ///< when `run` began
   Clock::time_point start_;
   Clock::time_point next_check_;
+  Clock::time_point next_count_;
   Clock::time_point next_estimate_;
   Clock::time_point last_given_;  ///< when tasks were put on the farm, or nothing waited there any more
   double patience_ = 0;           ///< seconds until what is late is given again

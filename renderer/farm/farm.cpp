@@ -20,7 +20,7 @@ constexpr const char* Workers = "granada_workers";
 
 /// Contents travel in pieces, which any server takes: its limit is 1 MB unless it is configured otherwise.
 constexpr std::size_t ChunkBytes = std::size_t{1} << 19U;
-constexpr std::chrono::seconds WorkerAge{5};
+constexpr std::chrono::seconds WorkerAge{6};
 constexpr std::chrono::seconds ResultLease{60};
 
 std::string chunk_subject(const Digest& digest, std::size_t chunk) {

@@ -133,7 +133,9 @@ bool Connection::add_stream(const StreamSettings& settings) const {
   config.Storage = settings.is_in_memory ? js_MemoryStorage : js_FileStorage;
   if (!settings.is_queue) config.MaxMsgsPerSubject = 1;
   config.MaxAge = nanoseconds(settings.age);
-  return js_AddStream(nullptr, context_.get(), &config, nullptr, nullptr) == NATS_OK;
+  // Another version of bpt may have made it with other settings.
+  return js_AddStream(nullptr, context_.get(), &config, nullptr, nullptr) == NATS_OK ||
+         js_UpdateStream(nullptr, context_.get(), &config, nullptr, nullptr) == NATS_OK;
 }
 
 bool Connection::publish(const std::string& subject, std::string_view bytes) const {

@@ -15,6 +15,9 @@ using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
 constexpr milliseconds Pause{200};
+constexpr milliseconds LongestPause{1000};
+/// Between signs of life: many workers ask one server.
+constexpr milliseconds SignInterval{2000};
 
 /// The first digits of a digest, for messages.
 std::string short_name(const transport::Digest& digest) { return transport::hex(digest).substr(0, 12); }
@@ -39,12 +42,15 @@ void Worker::stop() {
 
 bool Worker::run() {
   std::thread heartbeat([this] { run_heartbeat(); });
+  milliseconds pause = Pause;
   while (!is_stopped_ && !farm_.is_closed()) {
     const auto job = next_job();
     if (!job) {
-      std::this_thread::sleep_for(Pause);
+      std::this_thread::sleep_for(pause);
+      pause = std::min(2 * pause, LongestPause);
       continue;
     }
+    pause = Pause;
     const std::string refusal = work_for(*job);
     if (refusal.empty()) continue;
     refused_[job->id] = refusal;
@@ -58,7 +64,7 @@ bool Worker::run() {
   return is_stopped;
 }
 
-/// Says every second that the worker is there, and keeps the leases of the tasks in work.
+/// Says from time to time that the worker is there, and keeps the leases of the tasks in work.
 void Worker::run_heartbeat() {
   auto next_extension = Clock::now();
   auto next_sign = Clock::now();
@@ -75,7 +81,7 @@ void Worker::run_heartbeat() {
     }
     if (Clock::now() < next_sign) continue;
     farm_.put_worker(info);
-    next_sign = Clock::now() + milliseconds(1000);
+    next_sign = Clock::now() + SignInterval;
     if (info.job.empty()) continue;
     if (farm_.has_job(info.job) == false || farm_.why_dropped(info.job, info.id)) {
       const std::lock_guard lock(lock_);
