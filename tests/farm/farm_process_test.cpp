@@ -13,6 +13,7 @@ namespace {
 
 using nlohmann::json;
 using test::bytes_of_file;
+using test::digest_of_file;
 using test::Outcome;
 using test::Process;
 using testing::HasSubstr;
@@ -22,11 +23,11 @@ class Farm : public test::FarmTest {
   static constexpr int Samples = 200;
 
   const std::string scene_ = scene(Samples);
-  const std::string expected_ = bytes_of_one_process(scene_);
+  const std::string expected_ = digest_of_one_process(scene_);
 
   void expect_image(Process& render, const std::string& output = "farm.pfm") const {
     EXPECT_EQ(render.wait(), 0) << render.output();
-    EXPECT_EQ(bytes_of_file(path(output)), expected_);
+    EXPECT_EQ(digest_of_file(path(output)), expected_);
     EXPECT_FALSE(std::filesystem::exists(path(output + ".ledger")));
   }
 };

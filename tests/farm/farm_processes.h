@@ -20,6 +20,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "renderer/transport/digest.h"
 #include "tests/support/paths.h"
 #include "tests/support/run.h"
 #include "tests/support/temporary_folder.h"
@@ -29,6 +30,11 @@ namespace test {
 inline std::string bytes_of_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Returns the SHA-256 digest of a file.
+inline std::string digest_of_file(const std::string& path) {
+  return transport::hex(transport::digest_of(bytes_of_file(path)));
 }
 
 /// Waits until a condition holds, for a time that a loaded machine may take.
@@ -136,11 +142,11 @@ class FarmTest : public testing::Test {
                                        std::to_string(samples) + "\n");
   }
 
-  /// Renders the picture by one process, and returns its file: the reference of all others.
-  std::string bytes_of_one_process(const std::string& scene) const {
+  /// Renders the picture by one process, and returns the digest of its pixels: the reference of all others.
+  std::string digest_of_one_process(const std::string& scene) const {
     const Outcome outcome = run({Bpt, "render", scene, "-o", path("one.pfm")});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return bytes_of_file(path("one.pfm"));
+    return digest_of_file(path("one.pfm"));
   }
 
   Process start(std::vector<std::string> arguments, const std::string& program = Bpt) {
