@@ -13,6 +13,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(TBB REQUIRED)
 find_package(Boost REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(Ceres REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(assimp REQUIRED)
 # Assimp's CMake file names static libraries that its shared library already contains. One of them, Draco, contains an

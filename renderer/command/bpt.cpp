@@ -13,7 +13,7 @@
 #include "command_line/manual.h"
 #include "renderer/command/bake_command.h"
 #include "renderer/command/brdf_command.h"
-#include "renderer/command/command_line.h"
+#include "renderer/command/brdf_fit_options.h"
 #include "renderer/command/compare_command.h"
 #include "renderer/command/cost_command.h"
 #include "renderer/command/decode_command.h"
@@ -196,9 +196,8 @@ void add_export(CLI::App& table, command::BrdfArguments& arguments) {
       ->check(CLI::Range(1e-6, 1.0));
 }
 
-void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
-  CLI::App* brdf =
-      app.add_subcommand("brdf", "Evaluate, sample, check, plot or export a BRDF without a scene");
+void add_brdf(CLI::App& app, command::BrdfArguments& arguments, command::BrdfFitArguments& fit_arguments) {
+  CLI::App* brdf = app.add_subcommand("brdf", "Evaluate, sample, plot, export or fit a BRDF without a scene");
   brdf->require_subcommand(1);
   const auto add_command = [&](const char* name, const char* meaning, bool has_instance) {
     CLI::App* command = brdf->add_subcommand(name, meaning);
@@ -248,9 +247,12 @@ void add_brdf(CLI::App& app, command::BrdfArguments& arguments) {
       ->type_name("THETA[,PHI]")
       ->allow_extra_args(false)
       ->needs(pdf);
+  command::add_fit(*brdf, fit_arguments);
 }
 
-ExitCode run_brdf(const CLI::App& brdf, const command::BrdfArguments& arguments) {
+ExitCode run_brdf(const CLI::App& brdf, const command::BrdfArguments& arguments,
+                  const command::BrdfFitArguments& fit_arguments) {
+  if (brdf.got_subcommand("fit")) return command::fit_brdfs(fit_arguments);
   if (brdf.got_subcommand("list")) return command::list_brdfs(arguments);
   if (brdf.got_subcommand("eval")) return command::evaluate_brdf(arguments);
   if (brdf.got_subcommand("albedo")) return command::print_albedo(arguments);
@@ -411,7 +413,8 @@ ExitCode run(int argc, char** argv) {
   command::NoiseArguments noise_arguments;
   add_noise(app, noise_arguments);
   command::BrdfArguments brdf_arguments;
-  add_brdf(app, brdf_arguments);
+  command::BrdfFitArguments fit_arguments;
+  add_brdf(app, brdf_arguments, fit_arguments);
   command::CompareArguments compare_arguments;
   add_compare(app, compare_arguments);
   command::DecodeArguments decode_arguments;
@@ -427,7 +430,7 @@ ExitCode run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ExitCode::Done : ExitCode::BadCommandLine;
   }
-  if (app.got_subcommand("brdf")) return run_brdf(*app.get_subcommand("brdf"), brdf_arguments);
+  if (app.got_subcommand("brdf")) return run_brdf(*app.get_subcommand("brdf"), brdf_arguments, fit_arguments);
   if (app.got_subcommand("compare")) return command::compare(compare_arguments);
   if (app.got_subcommand("decode")) return command::decode(decode_arguments);
   if (app.got_subcommand("cost")) return command::cost(cost_arguments);

@@ -55,7 +55,7 @@ struct Exported {
   double resolution = 0;            ///< of an RGL file; 0 for MERL
 };
 
-void print(const Exported& exported, const BrdfArguments& arguments) {
+void print_export(const Exported& exported, const BrdfArguments& arguments) {
   const InterpolationError& error = exported.error;
   if (!arguments.json) {
     fmt::print("{}: the interpolation error is {:.2g} on average and {:.2g} at most, in 1/sr\n",
@@ -145,7 +145,7 @@ ExitCode export_brdf(const BrdfArguments& arguments) {
                                : export_merl(*reflector, arguments.output, diagnostics);
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (!exported) return ExitCode::BadInput;
-  print(*exported, arguments);
+  print_export(*exported, arguments);
   return ExitCode::Done;
 }
 

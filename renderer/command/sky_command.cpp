@@ -50,7 +50,7 @@ std::string read(const SkyArguments& arguments, sky::SkySettings& settings) {
   return sky::problem_of(settings);
 }
 
-void print(const sky::SkyMap& map, const SkyArguments& arguments) {
+void print_map(const sky::SkyMap& map, const SkyArguments& arguments) {
   if (arguments.json) {
     nlohmann::ordered_json report;
     report["image"] = arguments.output;
@@ -82,7 +82,7 @@ ExitCode sky(const SkyArguments& arguments) {
   const bool is_written = image::write_image({map.image}, arguments.output, diagnostics);
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (!is_written) return ExitCode::BadInput;
-  print(map, arguments);
+  print_map(map, arguments);
   return ExitCode::Done;
 }
 

@@ -1,0 +1,215 @@
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grf/text_file.h"
+#include "renderer/fit/observations.h"
+
+namespace fit {
+namespace {
+
+/// A cell of a CSV line and its column in characters from 1.
+struct Cell {
+  std::string_view text;
+  std::uint32_t column = 1;
+};
+
+std::vector<Cell> split(std::string_view line) {
+  std::vector<Cell> cells;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(',', begin), line.size());
+    std::size_t first = begin;
+    std::size_t last = end;
+    const auto is_blank = [&](std::size_t at) {
+      return line[at] == ' ' || line[at] == '\t' || line[at] == '\r';
+    };
+    while (first < last && is_blank(first)) ++first;
+    while (last > first && is_blank(last - 1)) --last;
+    cells.push_back({line.substr(first, last - first), static_cast<std::uint32_t>(first + 1)});
+    begin = end + 1;
+  }
+  return cells;
+}
+
+enum Column {
+  ThetaU,
+  PhiU,
+  ThetaV,
+  PhiV,
+  Ux,
+  Uy,
+  Uz,
+  Vx,
+  Vy,
+  Vz,
+  R,
+  G,
+  B,
+  Value,
+  Weight,
+  Deviation,
+  Columns
+};
+constexpr std::array<std::string_view, Columns> Names = {
+    "theta_u", "phi_u", "theta_v", "phi_v", "ux", "uy",    "uz",     "vx",
+    "vy",      "vz",    "r",       "g",     "b",  "value", "weight", "deviation"};
+
+/// Reads the lines of a CSV file one after the other.
+class CsvReader {
+ public:
+  CsvReader(const std::string& path, grf::Diagnostics& diagnostics)
+      : file_(grf::whole_file(path)), diagnostics_(diagnostics) {}
+
+  std::optional<Observations> read(std::string_view text) {
+    if (text.starts_with(grf::ByteOrderMark)) text.remove_prefix(grf::ByteOrderMark.size());
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      const std::string_view line = text.substr(0, end);
+      text.remove_prefix(std::min(end + 1, text.size()));
+      ++line_;
+      if (line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+      const std::vector<Cell> cells = split(line);
+      const bool was_read = columns_.empty() ? read_names(cells) : read_values(cells);
+      if (!was_read) return std::nullopt;
+    }
+    if (columns_.empty()) {
+      line_ = 0;
+      fail(0, fmt::format("the file is empty; its first line names the columns: {}", Hint));
+      return std::nullopt;
+    }
+    observations_.description = fmt::format("{} lines of a CSV file", observations_.list.size());
+    return std::move(observations_);
+  }
+
+ private:
+  static constexpr std::string_view Hint =
+      "theta_u,phi_u,theta_v,phi_v in radians or ux,uy,uz,vx,vy,vz, then r,g,b or value, and perhaps weight "
+      "or deviation";
+
+  bool fail(std::uint32_t column, const std::string& message) {
+    grf::SourceLocation location = file_;
+    location.line = line_;
+    location.column = column;
+    diagnostics_.error(location, message);
+    return false;
+  }
+
+  bool has(Column column) const { return at_[column] >= 0; }
+
+  bool read_names(const std::vector<Cell>& cells) {
+    at_.fill(-1);
+    for (const Cell& cell : cells) {
+      std::size_t known = 0;
+      while (known < Columns && Names[known] != cell.text) ++known;
+      if (known == Columns)
+        return fail(cell.column, fmt::format("unknown column '{}'; columns are {}", cell.text, Hint));
+      if (at_[known] >= 0) return fail(cell.column, fmt::format("the column '{}' is repeated", cell.text));
+      at_[known] = static_cast<int>(columns_.size());
+      columns_.push_back(static_cast<Column>(known));
+    }
+    const auto has_all = [&](Column first, Column last) {
+      int found = 0;
+      for (int column = first; column <= last; ++column) found += has(static_cast<Column>(column)) ? 1 : 0;
+      return found == last - first + 1;
+    };
+    const auto has_any = [&](Column first, Column last) {
+      for (int column = first; column <= last; ++column) {
+        if (has(static_cast<Column>(column))) return true;
+      }
+      return false;
+    };
+    if (!(has_all(ThetaU, PhiV) && !has_any(Ux, Vz)) && !(has_all(Ux, Vz) && !has_any(ThetaU, PhiV)))
+      return fail(1, fmt::format("the columns of two directions are missing or mixed; columns are {}", Hint));
+    if (!(has_all(R, B) && !has(Value)) && !(has(Value) && !has_any(R, B)))
+      return fail(1, fmt::format("the columns of the value are missing or mixed; columns are {}", Hint));
+    if (has(Weight) && has(Deviation))
+      return fail(1, "there is both a weight and a deviation; one has to do");
+    return true;
+  }
+
+  bool read_values(const std::vector<Cell>& cells) {
+    if (cells.size() != columns_.size()) {
+      const std::size_t last = std::min(cells.size(), columns_.size() + 1) - 1;
+      return fail(cells[last].column,
+                  fmt::format("the line has {} values, and the first line names {} columns", cells.size(),
+                              columns_.size()));
+    }
+    std::array<double, Columns> values = {};
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::string_view text = cells[i].text;
+      double& value = values[columns_[i]];
+      const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+      if (error != std::errc() || end != text.data() + text.size()) {
+        return fail(cells[i].column,
+                    fmt::format("'{}' is no number, in the column '{}'", text, Names[columns_[i]]));
+      }
+    }
+    for (const auto& [column, least_meaning] : {std::pair(Weight, "a weight is 0 or more"),
+                                                std::pair(Deviation, "a standard deviation is over 0")}) {
+      if (!has(column)) continue;
+      const double value = values[column];
+      if (value > 0 || std::isnan(value) || (value == 0 && column == Weight)) continue;
+      return fail(cells[static_cast<std::size_t>(at_[column])].column, least_meaning);
+    }
+    return add(values, cells);
+  }
+
+  bool add(const std::array<double, Columns>& values, const std::vector<Cell>& cells) {
+    Observation one;
+    if (has(ThetaU)) {
+      const auto direction = [](double theta, double phi) {
+        return Vec3d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+      };
+      one.u = direction(values[ThetaU], values[PhiU]);
+      one.v = direction(values[ThetaV], values[PhiV]);
+    } else {
+      one.u = Vec3d(values[Ux], values[Uy], values[Uz]);
+      one.v = Vec3d(values[Vx], values[Vy], values[Vz]);
+      for (const auto& [vector, column] : {std::pair(one.u, Ux), std::pair(one.v, Vx)}) {
+        if (vector != Vec3d(0)) continue;
+        return fail(cells[static_cast<std::size_t>(at_[column])].column, "a direction has no length");
+      }
+      one.u.normalize();
+      one.v.normalize();
+    }
+    one.value = has(Value) ? Vec3d(values[Value]) : Vec3d(values[R], values[G], values[B]);
+    if (has(Weight)) one.weight = values[Weight];
+    one.deviation = values[Deviation];
+    one.line = line_;
+    note_azimuth(one.u);
+    observations_.list.push_back(one);
+    return true;
+  }
+
+  // Views at different azimuths tell an anisotropic BRDF from an isotropic one.
+  void note_azimuth(const Vec3d& u) {
+    constexpr double NearNormal = 1e-3;
+    if (std::hypot(u.x, u.y) < NearNormal) return;
+    const double azimuth = std::atan2(u.y, u.x);
+    if (!azimuth_) azimuth_ = azimuth;
+    if (std::abs(std::sin(azimuth - *azimuth_)) > NearNormal) observations_.is_isotropic = false;
+  }
+
+  grf::SourceLocation file_;
+  grf::Diagnostics& diagnostics_;
+  std::uint32_t line_ = 0;
+  std::vector<Column> columns_;       ///< in the order of the file
+  std::array<int, Columns> at_ = {};  ///< the place of each column in the file, or -1
+  std::optional<double> azimuth_;     ///< of the first view that is not along the normal
+  Observations observations_;
+};
+
+}  // namespace
+
+std::optional<Observations> read_csv(const std::string& path, grf::Diagnostics& diagnostics) {
+  const auto bytes = grf::read_file(path, diagnostics);
+  if (!bytes) return std::nullopt;
+  return CsvReader(path, diagnostics).read(*bytes);
+}
+
+}  // namespace fit
