@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -65,6 +66,7 @@ plot::Chart lobes_chart(const BrdfFits& fits, const Fit& fit) {
   chart.x = {"angle of the light in degrees", false, -90, 90, 30};
   chart.y = {"f in 1/sr", true, {}, {}, 0};
   double peak = 0;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ChartViews.size(); ++i) {
     Series data;
     if (fits.brdf) {
@@ -75,7 +77,10 @@ plot::Chart lobes_chart(const BrdfFits& fits, const Fit& fit) {
     }
     Series line = lobe_of(fit.brdf, ChartViews[i]);
     if (data.points.empty()) continue;
-    for (const plot::Point& point : data.points) peak = std::max(peak, point.y);
+    for (const plot::Point& point : data.points) {
+      peak = std::max(peak, point.y);
+      if (point.y > 0) least = std::min(least, point.y);
+    }
     data.name = fmt::format("view {}\u00B0", ChartViews[i]);
     data.colour = plot::colour_of_series(i);
     line.colour = data.colour;
@@ -85,7 +90,8 @@ plot::Chart lobes_chart(const BrdfFits& fits, const Fit& fit) {
   }
   if (peak > 0) {
     chart.y.maximum = std::pow(10, std::ceil(std::log10(peak)));
-    chart.y.minimum = *chart.y.maximum * 1e-5;
+    const double lowest = std::pow(10, std::floor(std::log10(std::max(least, *chart.y.maximum * 1e-5))));
+    chart.y.minimum = std::min(lowest, *chart.y.maximum / 10);
   }
   return chart;
 }
@@ -158,8 +164,7 @@ void add_fit(const Fit& fit, const std::string& picture, ReportDocument& documen
   document.add_table(std::move(rows));
   for (const std::string& warning : fit.warnings) document.add_paragraph("Warning: " + warning + ".");
   if (!fit.held.empty())
-    document.add_paragraph(
-        fmt::format("Parameters that were held: {}.", fmt::join(fit.held, "; ")));
+    document.add_paragraph(fmt::format("Parameters that were held: {}.", fmt::join(fit.held, "; ")));
   document.add_picture(picture, "Lobes and residuals of " + fit.target.name());
 }
 

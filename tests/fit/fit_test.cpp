@@ -43,7 +43,7 @@ TEST(FitLobes, KnowWhatEntersLinearly) {
   EXPECT_EQ(names("minnaert"), "k | kd");
   EXPECT_EQ(names("torrance"), "rough nreal nimag | ks kd");
   EXPECT_EQ(names("ggx"), "alpha nreal nimag | ks");
-  EXPECT_EQ(names("ashikhmin"), "ex Rs Rs Rs | Rd");  // the diffuse part is times 1 - Rs
+  EXPECT_EQ(names("ashikhmin"), "ex Rd Rd Rd | Rs");  // the diffuse part is Rd (1 - Rs)
 }
 
 TEST(FitLobes, OfASumHaveOneDiffusePart) {
@@ -66,7 +66,8 @@ TEST(FitLobes, CannotBeAnythingElse) {
   EXPECT_THAT(message("wardd"), HasSubstr("did you mean 'ward'?"));
   EXPECT_THAT(message("measured"), HasSubstr("'measured' cannot be fitted: it is no model with parameters"));
   EXPECT_THAT(message("coat"), HasSubstr("'coat' cannot be fitted"));
-  EXPECT_THAT(message("specular"), HasSubstr("'specular' cannot be fitted: no free parameter of it changes"));
+  EXPECT_THAT(message("specular"),
+              HasSubstr("'specular' cannot be fitted: ks: it changes none of the values"));
 }
 
 TEST(Fit, KeepsFixedParameters) {
