@@ -90,14 +90,6 @@ TEST(PlantedKirchhoff, IsFoundAgain) {
   EXPECT_NEAR(parameter(fit, "kd").value, 0.3, 3e-5);
 }
 
-// Its lobe has a sharp edge, so that the values determine it no better than their distance.
-TEST(PlantedEdge, OfNeumannsLobeIsFoundNearly) {
-  const fit::Fit fit = fit_of("neumann", observations_of("neumann r=0.4 ks=0.5 kd=0.3", 1000));
-  EXPECT_NEAR(parameter(fit, "r").value, 0.4, 0.02);
-  EXPECT_NEAR(parameter(fit, "ks").value, 0.5, 0.05);
-  EXPECT_NEAR(parameter(fit, "kd").value, 0.3, 0.03);
-}
-
 TEST(PlantedLobes, OfASumAreFoundAgain) {
   const fit::Observations observations =
       observations_of("1 ward sx=0.08 ks=0.3 kd=0.25 + 1 ward sx=0.45 ks=0.5 kd=0", 3000);
