@@ -23,6 +23,7 @@
 #include "renderer/command/pack_command.h"
 #include "renderer/command/plan_command.h"
 #include "renderer/command/render_command.h"
+#include "renderer/command/shared_options.h"
 #include "renderer/command/sky_command.h"
 #include "renderer/options/render_options.h"
 
@@ -197,7 +198,8 @@ void add_export(CLI::App& table, command::BrdfArguments& arguments) {
 }
 
 void add_brdf(CLI::App& app, command::BrdfArguments& arguments, command::BrdfFitArguments& fit_arguments) {
-  CLI::App* brdf = app.add_subcommand("brdf", "Evaluate, sample, plot, export or fit a BRDF without a scene");
+  CLI::App* brdf =
+      app.add_subcommand("brdf", "Evaluate, sample, check, plot, export or fit a BRDF without a scene");
   brdf->require_subcommand(1);
   const auto add_command = [&](const char* name, const char* meaning, bool has_instance) {
     CLI::App* command = brdf->add_subcommand(name, meaning);
@@ -205,8 +207,8 @@ void add_brdf(CLI::App& app, command::BrdfArguments& arguments, command::BrdfFit
       command
           ->add_option(
               "INSTANCE", arguments.instance,
-              "a BRDF such as \"ward sx=0.2 ks=0.4\", a file that holds one, or the name of one that a "
-              "scene defines, such as scene.grf:varnish")
+              "a BRDF such as \"ward sx=0.2 ks=0.4\", a file that holds one or measured data (.binary of "
+              "MERL, .bsdf of RGL), or the name of one that a scene defines, such as scene.grf:varnish")
           ->required();
     }
     command->add_flag("--json", arguments.json, "print one JSON object");
@@ -383,16 +385,20 @@ constexpr command_line::ManualText Manual = {
     .date = GRANADA_DATE,
     .version = GRANADA_VERSION,
     .description =
-        "bpt renders scenes of the format GRF by path tracing: meshes whose faces have a BRDF, a sampling scheme, a "
-        "colour and emitted light. It also measures what accuracy costs in time, shows which effects a scene calls "
+        "bpt renders scenes of the format GRF by path tracing: meshes whose faces have a BRDF, a sampling "
+        "scheme, a "
+        "colour and emitted light. It also measures what accuracy costs in time, shows which effects a scene "
+        "calls "
         "for, and evaluates, samples and plots BRDFs without a scene.\n\n"
-        "Without a command, bpt SCENE is bpt render SCENE. Render options are in OP files; options of the command "
+        "Without a command, bpt SCENE is bpt render SCENE. Render options are in OP files; options of the "
+        "command "
         "line override them.",
-    .examples = "Render a scene with the options of an OP file\nbpt scene.op\n"
-                "Render a small preview\nbpt render scene.op --size 320x240 --samples 16 -o preview.png\n"
-                "Stop at an error of 2 %\nbpt render scene.op --target-error 0.02\n"
-                "Forecast how long that takes\nbpt render scene.op --forecast\n"
-                "Plot a BRDF\nbpt brdf plot 'ward sx=0.2' -o ward.svg\n",
+    .examples =
+        "Render a scene with the options of an OP file\nbpt scene.op\n"
+        "Render a small preview\nbpt render scene.op --size 320x240 --samples 16 -o preview.png\n"
+        "Stop at an error of 2 %\nbpt render scene.op --target-error 0.02\n"
+        "Forecast how long that takes\nbpt render scene.op --forecast\n"
+        "Plot a BRDF\nbpt brdf plot 'ward sx=0.2' -o ward.svg\n",
     .see_also = "grfconvert(1), wannabe(1), grf(5), op(5)",
 };
 

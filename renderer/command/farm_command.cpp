@@ -86,25 +86,25 @@ struct Waiting {
 };
 
 ordered_json json_of(const farm::JobInfo& job, const std::optional<farm::Progress>& progress) {
-  ordered_json json = {{"id", job.id},
-                       {"scene", job.name},
-                       {"host", job.host},
-                       {"created", job.created},
-                       {"version", job.version},
-                       {"parts", nullptr},
-                       {"parts_done", nullptr},
-                       {"workers", nullptr},
-                       {"estimated_error", nullptr},
-                       {"seconds_left", nullptr},
-                       {"seconds_since_progress", nullptr}};
-  if (!progress) return json;
-  json["parts"] = progress->parts;
-  json["parts_done"] = progress->parts_done;
-  json["workers"] = progress->workers;
-  json["estimated_error"] = number_or_null(progress->error);
-  json["seconds_left"] = number_or_null(progress->seconds_left);
-  json["seconds_since_progress"] = std::max<std::int64_t>(0, std::time(nullptr) - progress->time);
-  return json;
+  ordered_json result = {{"id", job.id},
+                         {"scene", job.name},
+                         {"host", job.host},
+                         {"created", job.created},
+                         {"version", job.version},
+                         {"parts", nullptr},
+                         {"parts_done", nullptr},
+                         {"workers", nullptr},
+                         {"estimated_error", nullptr},
+                         {"seconds_left", nullptr},
+                         {"seconds_since_progress", nullptr}};
+  if (!progress) return result;
+  result["parts"] = progress->parts;
+  result["parts_done"] = progress->parts_done;
+  result["workers"] = progress->workers;
+  result["estimated_error"] = number_or_null(progress->error);
+  result["seconds_left"] = number_or_null(progress->seconds_left);
+  result["seconds_since_progress"] = std::max<std::int64_t>(0, std::time(nullptr) - progress->time);
+  return result;
 }
 
 void print_job(const ordered_json& job) {

@@ -1,6 +1,6 @@
 #include "renderer/command/farm_command_line.h"
 
-#include "renderer/command/command_line.h"
+#include "renderer/command/shared_options.h"
 
 namespace command {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/command/command_line.h"
+#include "renderer/command/shared_options.h"
 
 #include <cstdint>
 #include <variant>
