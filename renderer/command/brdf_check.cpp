@@ -98,7 +98,8 @@ void draw_map(const AngleMap& map, const std::string& title, const Rectangle& pl
     for (std::size_t light = 0; light < AngleMap::Side; ++light) {
       const Point corner(area.corner.x + width * static_cast<double>(light),
                          area.corner.y + area.height - height * static_cast<double>(view + 1));
-      svg.rectangle(corner, width, height, plot::hexadecimal(scale.colour(map.at(view, light))));
+      // Half a pixel more hides the seams.
+      svg.rectangle(corner, width + 0.5, height + 0.5, plot::hexadecimal(scale.colour(map.at(view, light))));
     }
   }
   draw(scale, {{panel.corner.x + panel.width + 10, area.corner.y}, 16, area.height}, svg);

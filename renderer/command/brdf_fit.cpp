@@ -28,15 +28,7 @@ using grf::ExitCode;
 constexpr std::size_t UsualPairs = 4000;
 constexpr std::size_t UsualCells = 20'000;
 
-/// Reads the data as a BRDF: a measured file by its extension, or an instance.
 std::optional<reflectance::Brdf> read_data_as_brdf(const std::string& data, Diagnostics& diagnostics) {
-  const bool is_merl = image::has_extension(data, "binary");
-  if (is_merl || image::has_extension(data, "bsdf")) {
-    grf::BrdfModel model;
-    model.keyword = is_merl ? "measured" : "rgl";
-    model.data_file = data;
-    return studies::make_brdf(model, diagnostics);
-  }
   const auto reflector = studies::read_instance(data, diagnostics);
   return reflector ? std::optional(reflector->brdf()) : std::nullopt;
 }

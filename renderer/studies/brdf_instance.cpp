@@ -11,6 +11,7 @@
 #include "grf/read.h"
 #include "grf/text_file.h"
 #include "grf/visit.h"
+#include "renderer/image/image.h"
 #include "renderer/reflectance/brdf_maker.h"
 
 namespace studies {
@@ -25,6 +26,16 @@ struct Instance {
 std::optional<Instance> without_definitions(std::optional<grf::BrdfModel> model) {
   if (!model) return std::nullopt;
   return Instance{*std::move(model), {}};
+}
+
+/// Returns the model of a file of measured data, by its extension; nothing for other files.
+std::optional<grf::BrdfModel> measured_model(const std::string& path) {
+  const bool is_merl = image::has_extension(path, "binary");
+  if (!is_merl && !image::has_extension(path, "bsdf")) return std::nullopt;
+  grf::BrdfModel model;
+  model.keyword = is_merl ? "measured" : "rgl";
+  model.data_file = path;
+  return model;
 }
 
 std::optional<Instance> read_definition(const std::string& path, const std::string& name,
@@ -50,6 +61,7 @@ std::optional<Instance> read_model(const std::string& instance, grf::Diagnostics
     std::error_code error;
     return std::filesystem::is_regular_file(path, error);
   };
+  if (auto measured = measured_model(instance)) return Instance{*std::move(measured), {}};
   if (is_file(instance)) {
     const auto bytes = grf::read_file(instance, diagnostics);
     return bytes ? without_definitions(grf::read_brdf(*bytes, instance, diagnostics)) : std::nullopt;

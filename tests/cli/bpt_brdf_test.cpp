@@ -63,17 +63,30 @@ TEST_F(BptBrdf, ChecksWhatIsPlausible) {
             "ok      sign: 0 % of the pairs of directions have a negative channel in the file\n");
 }
 
-// Lambert's 0.5 and half a mirror of Fresnel's equations would be plausible; twice 0.8 is not.
+// As published, minnaert reflects more light than there is near grazing, and strauss is not reciprocal.
 TEST_F(BptBrdf, ChecksWhatIsNotPlausible) {
-  const nlohmann::json found = json({"check", "combine 1 diffuse kd=0.8 + 1 strauss"});
-  EXPECT_EQ(found["conserves_energy"], false);
-  EXPECT_GT(found["largest_albedo"], 1);
+  const nlohmann::json bright = json({"check", "minnaert k=0.5 kd=1"});
+  EXPECT_EQ(bright["conserves_energy"], false);
+  EXPECT_GT(bright["largest_albedo"], 1.01);
+  EXPECT_EQ(bright["reciprocal"], true);
+  const nlohmann::json found = json({"check", "strauss s=0.6 m=0 ks=1 kd=0"});
+  EXPECT_EQ(found["conserves_energy"], true);
   EXPECT_EQ(found["reciprocal"], false);
   EXPECT_GT(found["mean_asymmetry"], 1e-3);
   EXPECT_NE(found["worst_pair"]["value"], found["worst_pair"]["swapped"]);
-  const std::string text = out({"check", "strauss"});
+  const std::string text = out({"check", "strauss s=0.6 m=0 ks=1 kd=0"});
   EXPECT_TRUE(text.starts_with("warning reciprocity: ")) << text;
   EXPECT_NE(text.find("\n        most for u, v at (theta, phi) = ("), std::string::npos) << text;
+}
+
+TEST_F(BptBrdf, ReadsMeasuredDataByTheirFile) {
+  const std::string path = GRANADA_SOURCE_DIR "/tests/reflectance/rgl/matte.bsdf";
+  EXPECT_EQ(albedo(path, "0.5"), albedo("rgl \"" + path + "\"", "0.5"));
+  EXPECT_LT(json({"check", path})["negative_fraction"], 1e-4);
+  const std::string merl = folder_.path("half.binary");
+  out({"export", "diffuse kd=0.5", "-o", merl});
+  EXPECT_NEAR(albedo(merl, "0.3")[0], 0.5, 0.01);
+  expect_failure({"eval", folder_.path("none.bsdf"), "--u", "0", "--v", "0"}, 1, "none.bsdf");
 }
 
 TEST_F(BptBrdf, DrawsWhereItIsNotPlausible) {

@@ -2,14 +2,12 @@
 #include "renderer/reflectance/plausibility.h"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
+#include <memory>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "renderer/reflectance/brdf_maker.h"
-#include "renderer/reflectance/merl_table.h"
+#include "renderer/reflectance/measured.h"
 #include "renderer/reflectance/rgl_export.h"
 #include "tests/reflectance/brdf_cases.h"
 #include "tests/support/temporary_folder.h"
@@ -54,7 +52,7 @@ TEST(Plausibility, TurnsTheViewOfAnisotropicBrdfs) {
   const auto symmetric = [](const Vec3f& u, const Vec3f& v) {
     return CheckedValue{Rgb(u.y * u.y * v.y * v.y)};
   };
-  EXPECT_EQ(check_values(symmetric, true).mean_asymmetry, 0);
+  EXPECT_LT(check_values(symmetric, true).mean_asymmetry, 1e-6);
 }
 
 // A quarter of the light, weighted by the cosine, comes from below 30 degrees over the horizon.
@@ -78,7 +76,10 @@ TEST(Plausibility, FindsHolesOfMeasuredData) {
   const std::string path = folder.add("holes.binary", "");
   grf::Diagnostics diagnostics;
   ASSERT_TRUE(table.write(path, diagnostics));
-  const Plausibility found = check_plausibility(test::brdf_of(fmt::format("measured \"{}\"", path)));
+  reflectance::Measured measured;
+  measured.data =
+      std::make_shared<reflectance::MeasuredData>(reflectance::MerlTable::load(path, diagnostics));
+  const Plausibility found = check_plausibility(measured);
   EXPECT_NEAR(found.missing_fraction, 1 - 0.75 * 0.75, 0.01);
   EXPECT_EQ(found.negative_fraction, 0);
   EXPECT_TRUE(found.is_reciprocal());
@@ -96,7 +97,9 @@ TEST(Plausibility, FindsNegativeValuesOfMeasuredData) {
   settings.colour = Rgb(1);
   const reflectance::Reflector sound =
       reflectance::reflector_of_rgl(reflectance::export_rgl(diffuse, settings).bytes);
-  EXPECT_EQ(check_plausibility(sound.brdf()).negative_fraction, 0);
+  // Such files continue f cos below the horizon as an odd function: some of the coarse cells at it are
+  // negative.
+  EXPECT_LT(check_plausibility(sound.brdf()).negative_fraction, 0.01);
 }
 
 TEST(Plausibility, HasNothingAgainstALambertian) {
