@@ -79,20 +79,20 @@ macro(granada_define_packages)
 
   set(CPACK_DEBIAN_GRANADA_PACKAGE_NAME granada)
   set(CPACK_DEBIAN_GRANADA_DESCRIPTION "path tracer and converter for scenes with exact reflectance
- GRF is a text format of scenes whose faces carry a BRDF of many models, a
- sampling scheme, a colour and emitted light. The path tracer bpt renders them,
- measures what accuracy costs in time and shows which effects a scene calls for;
- grfconvert converts them from and to OBJ, PLY, glTF, 3DS, pbrt, Mitsuba and
- other formats.")
-  set(CPACK_DEBIAN_GRANADA_PACKAGE_SUGGESTS "granada-wannabe, granada-samples")
+ GRF is a text format of scenes whose faces carry a BRDF of many
+ models, a sampling scheme, a colour and emitted light. The path tracer
+ bpt renders them, measures what accuracy costs in time and shows which
+ effects a scene calls for; grfconvert converts them from and to OBJ,
+ PLY, glTF, 3DS, pbrt, Mitsuba and other formats.")
+  set(CPACK_DEBIAN_GRANADA_PACKAGE_SUGGESTS "granada-wannabe, granada-samples, nats-server")
 
   set(CPACK_DEBIAN_SAMPLES_PACKAGE_NAME granada-samples)
   set(CPACK_DEBIAN_SAMPLES_PACKAGE_ARCHITECTURE all)
   set(CPACK_DEBIAN_SAMPLES_PACKAGE_SHLIBDEPS OFF)
   set(CPACK_DEBIAN_SAMPLES_DESCRIPTION "sample scenes for the path tracer bpt
- Scenes in the format GRF with their render options: the Cornell box, spheres of
- all BRDF models, a garden, a teapot, studies of sampling, and the environment
- maps that light them.")
+ Scenes in the format GRF with their render options: the Cornell box,
+ spheres of all BRDF models, a garden, a teapot, studies of sampling,
+ and the environment maps that light them.")
   set(CPACK_DEBIAN_SAMPLES_PACKAGE_RECOMMENDS granada)
 
   if(TARGET wannabe)
@@ -100,9 +100,10 @@ macro(granada_define_packages)
     list(APPEND CPACK_COMPONENTS_ALL wannabe)
     set(CPACK_DEBIAN_WANNABE_PACKAGE_NAME granada-wannabe)
     set(CPACK_DEBIAN_WANNABE_DESCRIPTION "editor for scenes with exact reflectance
- wannabe imports models, assigns BRDFs, colours, textures and area lights to
- faces, shows a preview by path tracing while they are edited, and renders final
- images. Its study tools draw BRDFs, sampling schemes and what they cost.")
+ wannabe imports models, assigns BRDFs, colours, textures and area
+ lights to faces, shows a preview by path tracing while they are
+ edited, and renders final images. Its study tools draw BRDFs, sampling
+ schemes and what they cost.")
     set(CPACK_DEBIAN_WANNABE_PACKAGE_DEPENDS "granada (= ${PROJECT_VERSION}), qt6-qpa-plugins")
     set(CPACK_DEBIAN_WANNABE_PACKAGE_RECOMMENDS granada-samples)
   endif()
