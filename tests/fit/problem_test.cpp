@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -109,11 +110,17 @@ template <class Model>
 class FitDerivatives : public testing::Test {};
 TYPED_TEST_SUITE(FitDerivatives, test::TypesOf<reflectance::FormulaBrdf>::Types, test::KeywordOf);
 
+// What gltf transmits below a film depends on its brightest channel. Colours of films are pale, and another
+// channel becomes the brightest every few nanometres: derivatives have steps there.
+bool is_of_pale_film(std::string_view keyword, std::string_view parameter) {
+  return keyword == "gltf" && (parameter == "iridescenceIor" || parameter == "filmThickness");
+}
+
 // Differences over two longer steps, extrapolated, with an error of the fourth order.
 TYPED_TEST(FitDerivatives, AgreeWithDifferences) {
   const std::string keyword(TypeParam::table().keyword);
   if (keyword == "specular") return;  // has values in its delta part only
-  const fit::Observations observations = observations_of("ward sx=0.3 sy=0.5 ks=0.5 kd=(0.5, 0.3, 0.1)", 60);
+  const fit::Observations observations = observations_of("ward sx=0.3 sy=0.5 ks=0.5 kd=(0.5, 0.3, 0.1)", 30);
   const auto lobes = lobes_of({keyword}, observations);
   const Problem problem(lobes, observations, Metric::L2);
   for (const double t : {0.02, 0.31, 0.57}) {
@@ -122,6 +129,7 @@ TYPED_TEST(FitDerivatives, AgreeWithDifferences) {
     if (!problem.cost(x)) continue;  // the peak of a lafortune lobe may be too high
     const Evaluated all = evaluated(problem, x);
     for (std::size_t i = 0; i < x.size(); ++i) {
+      if (i < problem.shape_count() && is_of_pale_film(keyword, lobes[0].shapes[i].name)) continue;
       const auto at = [&](double step) {
         std::vector<double> moved = x;
         moved[i] += step;
