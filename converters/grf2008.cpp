@@ -14,6 +14,7 @@
 #include "grf/relocate.h"
 #include "grf/unique_names.h"
 #include "grf/visit.h"
+#include "grf/write.h"
 
 namespace convert {
 namespace {

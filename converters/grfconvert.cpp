@@ -22,14 +22,17 @@ constexpr command_line::ManualText Manual = {
     .date = GRANADA_DATE,
     .version = GRANADA_VERSION,
     .description =
-        "grfconvert converts models and scenes between GRF and the formats of other programs: OBJ, PLY, glTF, 3DS, "
-        "STL, VRML, COLLADA, FBX and others to GRF, and GRF to OBJ, PLY, glTF, STL, pbrt and Mitsuba. Formats are "
+        "grfconvert converts models and scenes between GRF and the formats of other programs: OBJ, PLY, "
+        "glTF, 3DS, "
+        "STL, VRML, COLLADA, FBX and others to GRF, and GRF to OBJ, PLY, glTF, STL, pbrt and Mitsuba. "
+        "Formats are "
         "detected. What a format cannot hold is listed as lost.\n\n"
         "Files are read in a process of their own, with limits of memory and time.",
-    .examples = "Convert a model\ngrfconvert model.obj -o model.grf\n"
-                "Convert a folder, each file in a process of its own\ngrfconvert *.obj -o scenes/ --jobs 0\n"
-                "List the formats, and what each keeps and loses\ngrfconvert formats\n"
-                "Find out what is risky in a scene\ngrfconvert check --deep scene.grf\n",
+    .examples =
+        "Convert a model\ngrfconvert model.obj -o model.grf\n"
+        "Convert a folder, each file in a process of its own\ngrfconvert *.obj -o scenes/ --jobs 0\n"
+        "List the formats, and what each keeps and loses\ngrfconvert formats\n"
+        "Find out what is risky in a scene\ngrfconvert check --deep scene.grf\n",
     .see_also = "bpt(1), wannabe(1), grf(5)",
 };
 

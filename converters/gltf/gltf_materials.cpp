@@ -71,7 +71,7 @@ TextureLookup lookup_of(int set, const Value* transform) {
 std::string joined(const std::vector<double>& values) { return fmt::format("{}", fmt::join(values, " ")); }
 
 /// The table of conversions by `Reading`.
-constexpr std::array<MaterialRule, 22> GltfRules = {{
+constexpr std::array<MaterialRule, 23> GltfRules = {{
     {"metallic-roughness", "`gltf` with its values, without those that are defaults of the BRDF",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0.5, "
      "\"roughnessFactor\": 0.25}",

@@ -170,15 +170,15 @@ std::string said_of_reference(const std::string& definitions, const Surface& sur
 
 TEST(Check, ReportsReferencesToDefinitionsThatAreNotThere) {
   const Reference gold{"gold", {}};
-  EXPECT_EQ(said_of_reference("def god = brdf flat", {{}, gold, {}, {}, {}, {}}),
+  EXPECT_EQ(said_of_reference("def god = brdf flat", {{}, gold, {}, {}, {}, {}, {}}),
             "no BRDF called 'gold' is defined here: did you mean 'god'?");
-  EXPECT_EQ(said_of_reference("def gold = rgb (1, 1, 0)", {{}, gold, {}, {}, {}, {}}),
+  EXPECT_EQ(said_of_reference("def gold = rgb (1, 1, 0)", {{}, gold, {}, {}, {}, {}, {}}),
             "no BRDF called 'gold' is defined here");
-  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), gold, {}, {}, {}}),
+  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), gold, {}, {}, {}, {}}),
             "no PDF called 'gold' is defined here");
-  EXPECT_EQ(said_of_reference("def gold = brdf flat", {gold, BrdfAttribute(gold), {}, {}, {}, {}}),
+  EXPECT_EQ(said_of_reference("def gold = brdf flat", {gold, BrdfAttribute(gold), {}, {}, {}, {}, {}}),
             "no colour called 'gold' is defined here");
-  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), {}, gold, {}, {}}),
+  EXPECT_EQ(said_of_reference("def gold = brdf flat", {{}, BrdfAttribute(gold), {}, gold, {}, {}, {}}),
             "no texture called 'gold' is defined here");
 }
 
