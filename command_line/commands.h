@@ -26,6 +26,6 @@ struct Command {
 };
 
 /// Returns the program itself, and then each subcommand before its own subcommands.
-std::vector<Command> commands_of(const CLI::App& app);
+std::vector<Command> commands_of(CLI::App& app);
 
 }  // namespace command_line

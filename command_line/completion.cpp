@@ -167,7 +167,7 @@ std::string fish(const std::vector<Command>& commands) {
 
 }  // namespace
 
-std::string completion(const CLI::App& app, std::string_view shell) {
+std::string completion(CLI::App& app, std::string_view shell) {
   const std::vector<Command> commands = commands_of(app);
   if (shell == "bash") return bash(commands);
   return shell == "zsh" ? zsh(commands) : fish(commands);

@@ -100,7 +100,7 @@ std::string examples_text(std::string_view examples) {
 
 }  // namespace
 
-std::string manual_page(const CLI::App& app, const ManualText& text) {
+std::string manual_page(CLI::App& app, const ManualText& text) {
   std::vector<Command> commands = commands_of(app);
   const Command& program = commands.front();
   std::string upper = program.path;

@@ -11,7 +11,7 @@ class App;
 
 namespace command_line {
 
-/// What a manual page says beyond the options.
+/// These texts complete a manual page, which has the options.
 struct ManualText {
   std::string_view date;  ///< of the release, as 2026-11-28
   std::string_view version;
@@ -21,11 +21,11 @@ struct ManualText {
 };
 
 /// Returns the page in section 1 of a program with all of its subcommands, in the macros of man(7).
-std::string manual_page(const CLI::App& app, const ManualText& text);
+std::string manual_page(CLI::App& app, const ManualText& text);
 
 /// Returns a script that completes subcommands, options and their choices in a shell: `bash`, `zsh` or
 /// `fish`. Other values are completed by names of files.
-std::string completion(const CLI::App& app, std::string_view shell);
+std::string completion(CLI::App& app, std::string_view shell);
 
 /// Adds the option `--manual man|bash|zsh|fish`, which `--help` does not list: it prints one of these, and
 /// ends the program as `--help` does.

@@ -19,6 +19,7 @@ class Program : public testing::Test {
     render->add_option("-o,--output", words_[1], "output image; its extension selects the type")
         ->type_name("FILE");
     render->add_option("--points", words_[2], "sampler")->check(CLI::IsMember({"sobol", "independent"}));
+    render->add_option("--time", words_[4], "the local time")->type_name("HH:MM")->check(CLI::Range(0, 24));
     render->add_flag("--json", flag_, "print an object's fields [all]");
     render->add_option("--hidden", words_[3], "nobody sees it")->group("");
     CLI::App* brdf = app_.add_subcommand("brdf", "Evaluate BRDFs");
@@ -65,7 +66,7 @@ class Program : public testing::Test {
   test::TemporaryFolder folder_;
 
  private:
-  std::string words_[4];
+  std::string words_[5];
   bool flag_ = false;
 };
 
@@ -106,6 +107,9 @@ Output image; its extension selects the type.
 Sampler.
 One of sobol, independent.
 .TP
+\fB\-\-time\fP \fIHH:MM\fP
+The local time.
+.TP
 \fB\-\-json\fP
 Print an object's fields [all].
 .SS tracer brdf
@@ -143,7 +147,7 @@ TEST_F(Program, IsCompletedByBash) {
   EXPECT_EQ(offered("tracer ''"), (Words{"render", "brdf", "-h", "--help"}));
   EXPECT_EQ(offered("tracer re"), Words{"render"});
   EXPECT_EQ(offered("tracer brdf ''"), (Words{"list", "eval", "-h", "--help"}));
-  EXPECT_EQ(offered("tracer render a.op --"), (Words{"--help", "--output", "--points", "--json"}));
+  EXPECT_EQ(offered("tracer render a.op --"), (Words{"--help", "--output", "--points", "--time", "--json"}));
   EXPECT_EQ(offered("tracer render --points ''"), (Words{"sobol", "independent"}));
   EXPECT_EQ(offered("tracer render --points i"), Words{"independent"});
   EXPECT_EQ(offered("tracer brdf eval -"), (Words{"-h", "--help", "--degrees"}));
