@@ -100,10 +100,7 @@ plot::Chart lobes_chart(const BrdfFits& fits, const Fit& fit) {
 plot::Chart residuals_chart(const BrdfFits& fits, const std::vector<fit::Vec3d>& values, const char* label,
                             double reflectance::HalfAngles::*angle) {
   const std::vector<Observation>& list = fits.observations.list;
-  double mean_value = 0;
-  for (const Observation& one : list)
-    mean_value += mean_of(one.value) * one.v.z / static_cast<double>(list.size());
-  const fit::MetricScale scale(fits.metric, mean_value);
+  const fit::MetricScale scale(fits.metric, fit::mean_of(list));
   Series dots;
   dots.has_line = false;
   const std::size_t step = std::max<std::size_t>(1, list.size() / MostDots);

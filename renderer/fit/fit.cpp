@@ -154,11 +154,7 @@ FittedParameter parameter_of(const std::vector<Lobe>& lobes, const Problem& prob
 void measure(const Observations& observations, Fit& fit) {
   std::vector<Vec3d> values;
   evaluate(fit.brdf, observations.list, values);
-  double mean = 0;
-  for (const Observation& one : observations.list) {
-    mean += (one.value.x + one.value.y + one.value.z) / 3 * one.v.z /
-            static_cast<double>(observations.list.size());
-  }
+  const double mean = mean_of(observations.list);
   for (const Metric metric : Metrics) {
     const MetricScale scale(metric, mean);
     double squares = 0;

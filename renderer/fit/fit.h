@@ -14,7 +14,7 @@
 
 namespace fit {
 
-/// What is fitted: the keyword of a model, or those of the terms of a sum.
+/// A target of a fit has the keyword of a model, or those of the terms of a sum.
 struct Target {
   std::vector<std::string> keywords;
 

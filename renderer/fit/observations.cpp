@@ -78,6 +78,12 @@ bool is_grey(const Observation& one) {
 
 }  // namespace
 
+double mean_of(const std::vector<Observation>& list) {
+  double sum = 0;
+  for (const Observation& one : list) sum += (one.value.x + one.value.y + one.value.z) / 3 * one.v.z;
+  return sum / static_cast<double>(std::max<std::size_t>(1, list.size()));
+}
+
 std::optional<Observations> usable(Observations observations, const std::string& path,
                                    grf::Diagnostics& diagnostics) {
   remove_faulty(observations, path, diagnostics);

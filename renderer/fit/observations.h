@@ -37,6 +37,9 @@ struct Observations {
 void evaluate(const reflectance::Brdf& brdf, std::span<const Observation> observations,
               std::vector<Vec3d>& values);
 
+/// Returns the mean of f cos(theta_v) of data, over all channels.
+double mean_of(const std::vector<Observation>& list);
+
 /// Returns the observations that can be used, or nothing after an error: there are none, or all are 0. Those
 /// that are not finite or negative, or have a direction at or below the horizon, are left out with a warning
 /// that counts them and points to the first one's line. Warns of values of which all are from one view.

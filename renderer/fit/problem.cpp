@@ -11,13 +11,6 @@ namespace {
 
 constexpr double Unlimited = 1e4;
 
-/// Returns the mean of f cos(theta_v) of data, over all channels.
-double mean_of(const std::vector<Observation>& list) {
-  double sum = 0;
-  for (const Observation& one : list) sum += (one.value.x + one.value.y + one.value.z) / 3 * one.v.z;
-  return sum / static_cast<double>(std::max<std::size_t>(1, list.size()));
-}
-
 /// Minimises w A w / 2 - b w for weights from 0 to their limits, by coordinate descent: a convex problem of
 /// few unknowns.
 void solve_bounded(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const Eigen::VectorXd& limits,

@@ -58,7 +58,7 @@ class Problem {
   };
   Name name(std::size_t unknown) const;
 
-  // What x means for a lobe.
+  // These return what x means for a lobe.
   std::vector<double> shapes_of(std::size_t lobe, std::span<const double> x) const;
   std::vector<Vec3d> colours_of(std::size_t lobe, std::span<const double> x) const;
   double weight_of(std::size_t lobe, std::span<const double> x) const;
@@ -93,7 +93,7 @@ class Problem {
   std::vector<std::size_t> first_shapes_;  ///< of each lobe in x
   std::size_t shape_count_ = 0;
   std::vector<Weight> weights_;
-  // Of each residual:
+  // These lists have a number for each residual.
   std::vector<double> targets_;  ///< T(data cos)
   std::vector<double> factors_;
 };
