@@ -19,8 +19,7 @@ using options::RenderOptions;
 void forget_outputs(RenderOptions& render_options) {
   for (const options::OptionInfo& option : options::option_table()) {
     const auto* path = std::get_if<options::PathOption>(&option.value);
-    const bool is_input = option.key == "BPT_Scene" || option.key == "BPT_EM_Background";
-    if (path != nullptr && !is_input) (render_options.*(path->field)).clear();
+    if (path != nullptr && !job::names_input(option)) (render_options.*(path->field)).clear();
   }
   render_options.display_server.clear();
 }

@@ -60,7 +60,7 @@ std::string with_relative_names(std::string text, const fs::path& naming,
 void make_portable(const fs::path& op_path, options::OpText& op_text) {
   for (const options::OptionInfo& option : options::option_table()) {
     const auto* path = std::get_if<options::PathOption>(&option.value);
-    const bool is_input = option.key == "BPT_Scene" || option.key == "BPT_EM_Background";
+    const bool is_input = names_input(option);
     const bool is_of_machine = (path != nullptr && !is_input) || option.key == "BPT_DisplayWindow" ||
                                option.key == "BPT_DisplayServer" || option.key == "BPT_Threads";
     if (is_of_machine) op_text.remove(option);
@@ -155,14 +155,17 @@ std::string name_outside(std::string_view text, const fs::path& naming, const fs
 /// there is none.
 std::string input_outside(const options::OpText& op_text, const fs::path& op, const fs::path& folder) {
   for (const options::OptionInfo& option : options::option_table()) {
-    const bool is_input = option.key == "BPT_Scene" || option.key == "BPT_EM_Background";
-    const auto words = is_input ? op_text.words_of(option) : std::nullopt;
+    const auto words = names_input(option) ? op_text.words_of(option) : std::nullopt;
     if (words && words->size() == 1 && leads_outside(op, words->front(), folder)) return words->front();
   }
   return "";
 }
 
 }  // namespace
+
+bool names_input(const options::OptionInfo& option) {
+  return option.key == "BPT_Scene" || option.key == "BPT_EM_Background";
+}
 
 bool pack_job(const std::string& op_path, options::OpText op_text, const std::set<std::string>& files,
               const std::string& output, grf::Diagnostics& diagnostics) {

@@ -10,6 +10,9 @@
 
 namespace job {
 
+/// Returns whether an option names a file that a render reads.
+bool names_input(const options::OptionInfo& option);
+
 /// Packs an OP file, whose text this is and whose path need not exist, with the files that its scene reads.
 /// The file is a tar archive, with the OP file first; equal contents make equal bytes. Absolute names in GRF
 /// files become relative ones. Replaces the job file, or leaves it unchanged and reports why.
