@@ -141,9 +141,13 @@ bool Coordinator::begin_ledger(Diagnostics& diagnostics) {
                                 {"content", transport::hex(info_.content)},
                                 {"program", transport::hex(info_.fingerprint.program)},
                                 {"tasks", tasks}};
-  if (ledger_->append(start.dump()) && ledger_->sync()) return true;
-  diagnostics.error(grf::whole_file(ledger_->path()), "cannot write the ledger");
-  return false;
+  return was_written(ledger_->append(start.dump()) && ledger_->sync(), diagnostics);
+}
+
+/// Returns whether the ledger was written, after an error if not.
+bool Coordinator::was_written(bool is_written, Diagnostics& diagnostics) const {
+  if (!is_written) diagnostics.error(grf::whole_file(ledger_->path()), "cannot write the ledger");
+  return is_written;
 }
 
 /// Takes a record of the ledger that is no part: its beginning, or that a worker was dropped. The file is our
@@ -221,10 +225,7 @@ bool Coordinator::run(const std::function<void(const Progress&)>& show, Diagnost
       const auto result = Farm::result_of(message);
       if (result && !take(*result, diagnostics)) return false;
     }
-    if (!messages.empty() && !ledger_->sync()) {
-      diagnostics.error(grf::whole_file(ledger_->path()), "cannot write the ledger");
-      return false;
-    }
+    if (!messages.empty() && !was_written(ledger_->sync(), diagnostics)) return false;
     for (const Message& message : messages) message.acknowledge();
     if (Clock::now() >= next_check_) {
       if (!check_farm(diagnostics)) return false;
@@ -273,10 +274,8 @@ bool Coordinator::take(const Result& result, Diagnostics& diagnostics) {
   if (!defect.empty()) return drop(result.worker, fmt::format("of a part, {}", defect), diagnostics);
   const transport::Digest digest = transport::digest_of(*part);
   if (done_.contains(result.task)) return take_repeated(result, digest, diagnostics);
-  if (!ledger_->append(record_of(result.task, result.worker, result.bytes))) {
-    diagnostics.error(grf::whole_file(ledger_->path()), "cannot write the ledger");
-    return false;
-  }
+  const std::string record = record_of(result.task, result.worker, result.bytes);
+  if (!was_written(ledger_->append(record), diagnostics)) return false;
   done_[result.task] = {digest, result.worker};
   last_given_ = Clock::now();
   return merge_.add(std::move(*part), settings_.ledger, diagnostics);
@@ -302,10 +301,7 @@ bool Coordinator::drop(const std::string& worker, const std::string& why, Diagno
   warnings_.push_back(fmt::format("worker {} was dropped: {}", worker, why));
   farm_.drop_worker(info_.id, worker, why);
   const nlohmann::json record = {{"dropped", worker}};
-  if (!ledger_->append(record.dump())) {
-    diagnostics.error(grf::whole_file(ledger_->path()), "cannot write the ledger");
-    return false;
-  }
+  if (!was_written(ledger_->append(record.dump()), diagnostics)) return false;
   std::vector<Task> again;
   for (const auto& [task, done] : done_) {
     if (done.worker == worker) again.push_back({task, tasks_[static_cast<std::size_t>(task)]});

@@ -68,6 +68,7 @@ class Coordinator {
   bool measure(grf::Diagnostics& diagnostics);
   bool open_ledger(grf::Diagnostics& diagnostics);
   bool take_line(std::string_view record, grf::Diagnostics& diagnostics);
+  bool was_written(bool is_written, grf::Diagnostics& diagnostics) const;
   bool begin_ledger(grf::Diagnostics& diagnostics);
   bool rebuild(grf::Diagnostics& diagnostics);
   std::vector<Task> missing() const;

@@ -8,7 +8,7 @@
 
 namespace farm {
 
-/// What tasks are limited by.
+/// These limits hold for each task.
 struct TaskLimits {
   double seconds = 2;             ///< of one thread, which a task takes about
   std::size_t bytes = 1U << 20U;  ///< of a part file, at most, as far as a tile is smaller
