@@ -92,6 +92,7 @@ TEST_F(Farm, ResumesFromTheLedgerOfACoordinatorThatWasKilled) {
   Process rendering = render(scene_);
   const Process worker = work();
   ASSERT_TRUE(test::wait_until([&] { return has_parts(rendering, 4); })) << rendering.output();
+  worker.send(SIGSTOP);  // so that the image is not done before the rest
   Process second = render(scene_);
   EXPECT_EQ(second.wait(), 1);
   EXPECT_THAT(second.output(), HasSubstr("another process has the ledger open"));
@@ -108,6 +109,7 @@ TEST_F(Farm, ResumesFromTheLedgerOfACoordinatorThatWasKilled) {
   EXPECT_TRUE(code == 130 || code == 0) << interrupted.output();
   if (code == 0) return;  // it was done before the signal
   EXPECT_THAT(interrupted.output(), HasSubstr("the same command resumes the work"));
+  worker.send(SIGCONT);
   Process resumed = render(scene_);
   expect_image(resumed);
 }
