@@ -112,7 +112,7 @@ QWidget* SurfacePanel::make_rows() {
   add(tr("Sam&pling"), new PdfRow(document_, catalogue_, rows));
   add(tr("C&olour"), new ColourRow(document_, rows));
   add(tr("Te&xture"), new TextureRow(document_, rows));
-  add(tr("Opa&city"), new OpacityRow(document_, rows));
+  add(tr("Opacit&y"), new OpacityRow(document_, rows));
   add(tr("E&mission"), new EmissionRow(document_, rows));
   add(tr("&Normals"), new NormalsRow(document_, rows));
   add(tr("Vertices"), new VertexRow(document_, VertexRow::Kind::Colour, rows));

@@ -7790,7 +7790,7 @@ Haga clic en una cara de la vista, arrastre un recuadro alrededor de varias, o s
         <translation>Tomar la BRDF</translation>
     </message>
     <message>
-        <source>Opa&amp;city</source>
+        <source>Opacit&amp;y</source>
         <translation>Opa&amp;cidad</translation>
     </message>
 </context>
