@@ -1,8 +1,7 @@
 // `bpt brdf check` finds where a BRDF is not reciprocal, reflects more light than there is, or lacks data.
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "renderer/plot/colour_scale.h"
 #include "renderer/plot/svg.h"
 #include "renderer/reflectance/plausibility.h"
+#include "renderer/studies/angles.h"
 #include "renderer/studies/brdf_instance.h"
 
 namespace command {
@@ -33,7 +33,6 @@ using reflectance::Vec3f;
 constexpr double PanelWidth = 460;
 constexpr double PanelHeight = 330;
 
-double degrees_of(double radians) { return radians * 180 / std::numbers::pi; }
 double theta_of(const Vec3f& d) { return std::acos(std::min(1.0, double(d.z))); }
 double phi_of(const Vec3f& d) { return std::atan2(double(d.y), double(d.x)); }
 
@@ -55,7 +54,7 @@ nlohmann::ordered_json to_json(const Plausibility& found) {
 }
 
 std::string angles_text(const Vec3f& d) {
-  return fmt::format("({:.0f}, {:.0f})", degrees_of(theta_of(d)), degrees_of(phi_of(d)));
+  return fmt::format("({:.0f}, {:.0f})", theta_of(d) / studies::Degree, phi_of(d) / studies::Degree);
 }
 
 void print(const Plausibility& found) {

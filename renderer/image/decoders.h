@@ -16,7 +16,7 @@ Image blank_image(std::int64_t width, std::int64_t height, std::string_view file
 /// Fills an image from sRGB-encoded bytes (IEC 61966-2-1), three per pixel; 255 is 1.
 void decode_srgb(const std::uint8_t* bytes, Image& image);
 
-/// The same with alpha, from four bytes per pixel; the colours are not multiplied by it in the bytes.
+/// Fills an image and its alpha likewise, from four bytes per pixel, whose colours are not multiplied by it.
 void decode_srgb_with_alpha(const std::uint8_t* bytes, Image& image);
 
 /// OpenEXR: the image, from the channels R, G and B, or Y if there are none of these, and A.

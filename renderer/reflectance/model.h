@@ -83,7 +83,7 @@ concept ReadsDataFile = requires {
   typename Model::Data;
 };
 
-/// What a BRDF's data say of a pair of directions above the horizon.
+/// The state of a BRDF's data tells whether they have a value for a pair of directions above the horizon.
 enum class DataState {
   Sound,
   Missing,  ///< the file has no value there, or one that is negative or not finite

@@ -15,8 +15,8 @@ constexpr int TurnCount = 8;      ///< of the view
 
 Vec3f direction_of(std::size_t index, double azimuth) {
   const double theta = AngleMap::degrees(index) * std::numbers::pi / 180;
-  return {static_cast<float>(std::sin(theta) * std::cos(azimuth)),
-          static_cast<float>(std::sin(theta) * std::sin(azimuth)), static_cast<float>(std::cos(theta))};
+  return from_angles(static_cast<float>(std::cos(theta)), static_cast<float>(std::sin(theta)),
+                     static_cast<float>(azimuth));
 }
 
 /// Returns the azimuth of a direction: not a round part of the circle, where tables have the edges of their

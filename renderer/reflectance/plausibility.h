@@ -38,7 +38,8 @@ struct SwappedPair {
   Rgb swapped = Rgb(0);
 };
 
-/// What a BRDF violates, and where. Fractions are of the pairs of directions, weighted by both cosines.
+/// A check's result tells what a BRDF violates, and where. Fractions are of the pairs of directions, weighted
+/// by both cosines.
 struct Plausibility {
   AngleMap asymmetry;         ///< mean of |f(u,v) - f(v,u)| over the mean of both, over azimuths
   AngleMap missing;           ///< fraction of azimuths
