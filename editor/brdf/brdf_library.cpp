@@ -137,6 +137,15 @@ QMimeData* LibraryList::mimeData(const QList<QListWidgetItem*>& items) const {
 
 QStringList LibraryList::mimeTypes() const { return {BrdfMimeType, "text/plain"}; }
 
+bool LibraryList::shows(int row) const {
+  return isVisible() && !item(row)->isHidden() && visualItemRect(item(row)).intersects(viewport()->rect());
+}
+
+void LibraryList::paintEvent(QPaintEvent* event) {
+  QListWidget::paintEvent(event);
+  emit painted();
+}
+
 BrdfLibrary::BrdfLibrary(QWidget* parent) : QWidget(parent) {
   build_controls();
   connect(list_, &QListWidget::itemActivated, this, [this] {
@@ -146,6 +155,9 @@ BrdfLibrary::BrdfLibrary(QWidget* parent) : QWidget(parent) {
   });
   connect(list_, &QListWidget::itemSelectionChanged, this, &BrdfLibrary::show_state);
   connect(list_, &QListWidget::itemChanged, this, &BrdfLibrary::rename);
+  connect(list_, &LibraryList::painted, this, [this] {
+    if (!pictures_job_.is_busy()) picture_next();
+  });
   connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, &BrdfLibrary::reload);
   const QString folder = QSettings().value(FolderSetting).toString();
   if (QFileInfo(folder).isDir()) {
@@ -192,6 +204,12 @@ void BrdfLibrary::build_controls() {
 }
 
 void BrdfLibrary::set_definitions(Definitions definitions) {
+  // What a BRDF of others looks like is not in its own text.
+  if (definitions != definitions_) {
+    for (const LibraryEntry& entry : list_->entries()) {
+      if (!entry.brdf.terms.empty()) pictures_.remove(picture_key(entry));
+    }
+  }
   definitions_ = std::move(definitions);
   reload();
 }
@@ -239,25 +257,30 @@ void BrdfLibrary::reload() {
     if (known != pictures_.constEnd()) {
       list_->item(static_cast<int>(i))->setIcon(icon_of(*known));
     } else {
-      waiting_.push_back(i);
+      waiting_.insert(i);
     }
   }
-  picture_next();
   filter();
 }
 
+std::optional<std::size_t> BrdfLibrary::next_waiting() const {
+  const auto next =
+      std::ranges::find_if(waiting_, [&](std::size_t i) { return list_->shows(static_cast<int>(i)); });
+  return next == waiting_.end() ? std::nullopt : std::optional(*next);
+}
+
 void BrdfLibrary::picture_next() {
-  if (waiting_.empty()) return;
-  const std::size_t i = waiting_.front();
-  const LibraryEntry& entry = list_->entries()[i];
+  const std::optional<std::size_t> next = next_waiting();
+  if (!next) return;
+  const LibraryEntry& entry = list_->entries()[*next];
   pictures_job_.start([brdf = entry.brdf, definitions = definitions_, ratio = devicePixelRatioF()](
                           const StopFlag& stop) { return picture_of(brdf, definitions, ratio, stop); },
-                      [this, i, key = picture_key(entry)](const QImage& image) {
+                      [this, i = *next, key = picture_key(entry)](const QImage& image) {
                         const QScopedValueRollback filling(is_filling_, true);
                         const QPixmap picture = QPixmap::fromImage(image);
                         pictures_.insert(key, picture);
                         list_->item(static_cast<int>(i))->setIcon(icon_of(picture));
-                        if (!waiting_.empty()) waiting_.pop_front();
+                        waiting_.erase(i);
                         picture_next();
                       });
 }

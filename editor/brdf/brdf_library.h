@@ -5,8 +5,8 @@
 #include <QListWidget>
 #include <QPixmap>
 #include <QWidget>
-#include <deque>
 #include <optional>
+#include <set>
 
 #include "editor/brdf/compiled_brdf.h"
 #include "editor/brdf/library_folder.h"
@@ -43,6 +43,15 @@ class LibraryList : public QListWidget {
   QMimeData* mimeData(const QList<QListWidgetItem*>& items) const override;
   QStringList mimeTypes() const override;
 
+  bool shows(int row) const;
+
+ signals:
+  /// Emitted when other entries may have come in sight.
+  void painted();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
  private:
   std::vector<LibraryEntry> entries_;
 };
@@ -62,7 +71,8 @@ class BrdfLibrary : public QWidget {
   void set_current(const std::optional<grf::BrdfModel>& brdf);
 
   LibraryList& list() { return *list_; }
-  bool is_busy() const { return pictures_job_.is_busy() || !waiting_.empty(); }
+  /// Whether an entry in sight has no picture yet; pictures of others are made when they come in sight.
+  bool is_busy() const { return pictures_job_.is_busy() || next_waiting().has_value(); }
 
  signals:
   /// Emitted on double click or Return. The name is that of the definition, for entries of the scene.
@@ -77,6 +87,7 @@ class BrdfLibrary : public QWidget {
   void rename(QListWidgetItem* item);
   void remove();
   void choose_folder();
+  std::optional<std::size_t> next_waiting() const;
   void picture_next();
 
   Definitions definitions_;
@@ -94,7 +105,7 @@ class BrdfLibrary : public QWidget {
   QToolButton* remove_ = nullptr;
   QFileSystemWatcher watcher_;
   QHash<QString, QPixmap> pictures_;  // by GRF text
-  std::deque<std::size_t> waiting_;   // entries without a picture
+  std::set<std::size_t> waiting_;     // entries without a picture
   BackgroundJob<QImage> pictures_job_{this};
 };
 

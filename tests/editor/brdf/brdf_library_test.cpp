@@ -68,11 +68,52 @@ TEST(BrdfLibrary, ShowsPresetsWithPictures) {
   std::size_t presets = 0;
   for (const auto& table : reflectance::preset_tables()) presets += table.presets.size();
   EXPECT_GE(library.list().entries().size(), presets);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !library.is_busy(); }, 60000));
   const int ward = row_of(library.list(), "ward");
   ASSERT_GE(ward, 0);
+  library.list().scrollToItem(library.list().item(ward));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !library.is_busy(); }, 60000));
   const QImage picture = library.list().item(ward)->icon().pixmap(64).toImage();
   EXPECT_GT(qAlpha(picture.pixel(picture.width() / 2, picture.height() / 2)), 0);
+}
+
+/// The colour in the middle of an entry's picture, after it was made.
+QColor middle_of(BrdfLibrary& library, const QString& name) {
+  const int row = row_of(library.list(), name);
+  if (row < 0 || !QTest::qWaitFor([&] { return !library.is_busy(); }, 60000)) return {};
+  const QImage picture = library.list().item(row)->icon().pixmap(64).toImage();
+  return picture.pixelColor(picture.width() / 2, picture.height() / 2);
+}
+
+TEST(BrdfLibrary, MakesPicturesOfWhatIsInSight) {
+  BrdfLibrary library;
+  library.resize(360, 400);
+  library.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&library));
+  const int last = library.list().count() - 1;
+  const QString name = library.list().entries()[static_cast<std::size_t>(last)].name;
+  EXPECT_EQ(middle_of(library, name).alpha(), 0) << "below what is shown";
+  EXPECT_GT(middle_of(library, library.list().entries()[0].name).alpha(), 0);
+  library.list().scrollToBottom();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return middle_of(library, name).alpha() > 0; }, 60000));
+}
+
+TEST(BrdfLibrary, PicturesFollowTheBrdfsThatTheyCombine) {
+  BrdfLibrary library;
+  library.resize(360, 400);
+  library.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&library));
+  grf::BrdfModel whole;
+  whole.keyword = "combine";
+  whole.terms = {{1, {"part", {}}}};
+  const auto define = [&](const char* part) {
+    library.set_definitions({{"part", brdf_model(part), {}, {}}, {"whole", whole, {}, {}}});
+  };
+  define("diffuse kd=(0.8, 0, 0)");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return middle_of(library, "whole").red() > 0; }, 60000));
+  EXPECT_EQ(middle_of(library, "whole").blue(), 0);
+  define("diffuse kd=(0, 0, 0.8)");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return middle_of(library, "whole").blue() > 0; }, 60000));
+  EXPECT_EQ(middle_of(library, "whole").red(), 0);
 }
 
 TEST(BrdfLibrary, PicturesStandOutFromTheirTiles) {
