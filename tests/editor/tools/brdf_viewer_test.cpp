@@ -252,7 +252,7 @@ TEST(BrdfDrawing, ShadesOnTheCpuWhereTheDriverRefuses) {
 }
 
 TEST(BrdfViewerWindow, ShowsAConstantEnvironmentAsKdTimesItsRadiance) {
-  ShownViewer viewer("tool brdfviewer light1=0 sky=constant radiance=(2, 1, 0.5) samples=1024" +
+  ShownViewer viewer("tool brdfviewer light1=0 sky=constant radiance=(2, 1, 0.5) samples=512" +
                      brdfs("diffuse kd=(0.5, 0.4, 0.2)"));
   const PixelProbe probe = viewer.probe(viewer.middle());
   ASSERT_TRUE(probe.is_object);
@@ -267,7 +267,7 @@ TEST(BrdfViewerWindow, ShowsAConstantEnvironmentAsKdTimesItsRadiance) {
 
 TEST(BrdfViewerWindow, ScalesDiffuseAndGlossyReflectionOfTheEnvironment) {
   const auto radiance = [](const std::string& settings) {
-    ShownViewer viewer("tool brdfviewer light1=0 sky=constant samples=1024 " + settings +
+    ShownViewer viewer("tool brdfviewer light1=0 sky=constant samples=512 " + settings +
                        brdfs("lewis kd=0.3 ks=0.5 n=50"));
     return viewer.probe(viewer.middle()).by_gpu.x;
   };
