@@ -217,7 +217,8 @@ std::string opacity_of(const json& alpha, bool has_texture) {
   maker.json["images"] = {{{"uri", "leaf.png"}}};
   maker.json["textures"] = {{{"source", 0}}};
   const Reading reading = maker.read();
-  const auto& opacity = meshes_of(reading.scene.value()).at(0).surface(0).opacity;
+  const std::vector<grf::Mesh> meshes = meshes_of(reading.scene.value());
+  const auto& opacity = meshes.at(0).surface(0).opacity;
   return opacity ? grf::to_text(*opacity) : "none";
 }
 
