@@ -24,13 +24,11 @@ using plot::Rectangle;
 using reflectance::Vec3f;
 using Cell = Subdivision::Cell;
 
-constexpr double Left = 20;
 constexpr Rectangle TreePlace = {{86, 110}, 420, 420};
 constexpr Rectangle LobePlace = {{610, 116}, 410, 276};
 constexpr Point LobeTitleAt = {610, 96};
 constexpr Rectangle StrataPlace = {{610, 424}, 410, 176};
 
-constexpr std::string_view SampleColour = "#d55e00";
 constexpr std::string_view WayColour = "#d81b80";
 constexpr std::string_view UntestedColour = "#e4e4e4";
 constexpr double MostDeviation = 4;
@@ -67,10 +65,10 @@ void fill_cells(const Subdivision& tree, const Scale& scale,
 
 template <class Scale>
 void draw_bar(const Scale& scale, const std::vector<std::string>& title, plot::Svg& svg) {
-  draw(scale, Rectangle{{Left, TreePlace.corner.y + 20}, 12, TreePlace.height - 40}, svg);
+  draw(scale, Rectangle{{FigureMargin, TreePlace.corner.y + 20}, 12, TreePlace.height - 40}, svg);
   double y = TreePlace.corner.y + 12 - 14 * static_cast<double>(title.size() - 1);
   for (const std::string& line : title) {
-    svg.text({Left, y}, line, Small);
+    svg.text({FigureMargin, y}, line, Small);
     y += 14;
   }
 }
@@ -206,19 +204,20 @@ std::string count_text(const SubdivisionSubject& subject) {
 
 void draw_legend(const SubdivisionSubject& subject, plot::Svg& svg) {
   const double y = TreePlace.corner.y + TreePlace.height + 26;
-  svg.dots(std::array{Point(Left + 4, y - 4)}, 3, dot_colour(subject));
-  svg.text({Left + 14, y}, count_text(subject), Small);
+  svg.dots(std::array{Point(FigureMargin + 4, y - 4)}, 3, dot_colour(subject));
+  svg.text({FigureMargin + 14, y}, count_text(subject), Small);
   const Point ring(TreePlace.corner.x + TreePlace.width - 38, y - 4);
   svg.circle(ring, 4, {"#111", 1.2});
   svg.text(ring + Point(10, 4), "view", Small);
-  if (!subject.is_file()) svg.text({Left + 14, y + 17}, "sampled by " + grf::to_text(subject.pdf), Small);
+  if (!subject.is_file())
+    svg.text({FigureMargin + 14, y + 17}, "sampled by " + grf::to_text(subject.pdf), Small);
   const GoodnessOfFit& fit = subject.samples.fit;
-  svg.text({Left + 14, y + (subject.is_file() ? 17 : 34)},
+  svg.text({FigureMargin + 14, y + (subject.is_file() ? 17 : 34)},
            fmt::format("chi-square {:.4g} of {} degrees of freedom: p = {:.3g}{}", fit.statistic, fit.degrees,
                        fit.p_value, subject.is_file() ? ", if they follow f cos" : ""),
            Small);
   if (subject.settings.coloured_by == SubdivisionSettings::ChiSquare)
-    svg.text({Left + 14, y + (subject.is_file() ? 34 : 51)},
+    svg.text({FigureMargin + 14, y + (subject.is_file() ? 34 : 51)},
              fmt::format("n counted and e expected per cell; grey: e below {}, pooled", FewestExpected),
              {11, "#666", Anchor::Start, 0});
 }
@@ -270,9 +269,10 @@ void draw_lobe_panel(const SubdivisionSubject& subject, const StudyContext& cont
 
 void draw_subdivision_header(const SubdivisionSubject& subject, const std::string& facts, plot::Svg& svg) {
   const std::string brdf = grf::to_text(subject.viewed.model);
-  svg.text({Left, 30}, brdf,
-           {plot::fitting_size(17, brdf, svg.width() - 2 * Left), "#111", Anchor::Start, 0});
-  svg.text({Left, 54}, viewed_text(subject.viewed.view) + "; " + facts, {13, "#333", Anchor::Start, 0});
+  svg.text({FigureMargin, 30}, brdf,
+           {plot::fitting_size(17, brdf, svg.width() - 2 * FigureMargin), "#111", Anchor::Start, 0});
+  svg.text({FigureMargin, 54}, viewed_text(subject.viewed.view) + "; " + facts,
+           {13, "#333", Anchor::Start, 0});
 }
 
 void draw_subdivision(const SubdivisionSubject& subject, const StudyContext& context, plot::Svg& svg) {

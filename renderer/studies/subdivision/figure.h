@@ -1,10 +1,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "renderer/studies/subdivision/subject.h"
 
 namespace studies {
+
+/// The left margin of the study's figures, and the colour of samples in them.
+constexpr double FigureMargin = 20;
+constexpr std::string_view SampleColour = "#d55e00";
 
 /// Draws a tree in large, with samples, the lobe in 3D, and strata of random numbers; 1040 by 620.
 void draw_subdivision(const SubdivisionSubject& subject, const StudyContext& context, plot::Svg& svg);

@@ -26,12 +26,10 @@ constexpr double DiscSide = 206;
 constexpr double ColumnWidth = 320;
 constexpr double RowHeight = 256;
 constexpr double Top = 96;
-constexpr double Left = 20;
 constexpr std::size_t Columns = 3;
-constexpr std::string_view SampleColour = "#d55e00";
 
 Rectangle place_of(std::size_t index) {
-  return {{Left + ColumnWidth * static_cast<double>(index % Columns),
+  return {{FigureMargin + ColumnWidth * static_cast<double>(index % Columns),
            Top + 8 + RowHeight * static_cast<double>(index / Columns)},
           DiscSide,
           DiscSide};
@@ -167,10 +165,10 @@ void draw_comparison(const SubdivisionSubject& subject, const std::vector<Compar
   }
   if (subject.settings.pattern == SubdivisionSettings::Sobol)
     svg.text(
-        {svg.width() - Left, svg.height() - 8},
+        {svg.width() - FigureMargin, svg.height() - 8},
         "The samples are Sobol' points, more even than random ones: only a wrong pdf has a small p-value.",
         {10, "#666", Anchor::End, 0});
-  const double bar = Left + ColumnWidth * Columns + 4;
+  const double bar = FigureMargin + ColumnWidth * Columns + 4;
   svg.text({bar, Top + 2}, "pdf", {11, "#333", Anchor::Start, 0});
   draw(scale, Rectangle{{bar, Top + 14}, 12, RowHeight + DiscSide - 12}, svg);
 }
