@@ -132,6 +132,7 @@ class Collector {
     FlatSurface flat_surface;
     flat_surface.colour = resolved.colour;
     flat_surface.emission = resolved.emission;
+    flat_surface.opacity = resolved.opacity;
     if (resolved.texture != nullptr) {
       const auto* name = std::get_if<grf::Reference>(&*surface.texture);
       const std::string file(name == nullptr ? placement.file

@@ -32,6 +32,7 @@ struct FlatSurface {
   std::vector<FlatTerm> terms;
   std::string texture;  ///< path of the image; empty for none
   std::optional<grf::Colour> emission;
+  grf::Opacity opacity;  ///< reads alpha only if there is a texture
 };
 
 /// A mesh or mesh light of the scene, inline or as a definition. A file that is included at several places

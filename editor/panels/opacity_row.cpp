@@ -63,7 +63,7 @@ void OpacityRow::show_summary(const SelectionSummary& summary) {
   const QString lit = why_not_reflecting(summary);
   enable(choice_,
          tr("Uniform, or by the alpha of the texture: faces that are absent below a cutoff, or that let part "
-            "of the light pass. The 3D view shows them opaque; previews and renders show the opacity"),
+            "of the light pass"),
          lit);
   value_->setEnabled(lit.isEmpty());
   enable(reset_, tr("Reset to the default: opaque"),

@@ -5345,8 +5345,8 @@ BPT_Scene  scene.grf</translation>
         <translation>Restablecer la opacidad</translation>
     </message>
     <message>
-        <source>Uniform, or by the alpha of the texture: faces that are absent below a cutoff, or that let part of the light pass. The 3D view shows them opaque; previews and renders show the opacity</source>
-        <translation>Uniforme, o según el alfa de la textura: caras ausentes por debajo de un umbral, o que dejan pasar parte de la luz. La vista 3D las muestra opacas; la vista previa y los renders muestran la opacidad</translation>
+        <source>Uniform, or by the alpha of the texture: faces that are absent below a cutoff, or that let part of the light pass</source>
+        <translation>Uniforme, o según el alfa de la textura: caras ausentes por debajo de un umbral, o que dejan pasar parte de la luz</translation>
     </message>
     <message>
         <source>Reset to the default: opaque</source>

@@ -120,7 +120,7 @@ class Shading {
 
   /// The radiance of a pixel, before multiplication by its colour.
   Vec3 reflected(std::uint32_t surface, const Imath::V4f& normal, int column, int row) {
-    const Imath::V4f& terms = tables_.surfaces[3 * surface + 2];
+    const Imath::V4f& terms = tables_.surfaces[SurfaceTables::Rows * surface + 2];
     const auto frame = formula_.frame_about(decoded_normal(normal), normal.z);
     const Vec3 eye =
         formula_.eye_direction({column + 0.5, row + 0.5}, size_, tangents_, light_.camera.is_orthographic());
@@ -190,7 +190,7 @@ void add_cpu_shading(const CpuShading& light, const FaceTables& faces, const Sur
     if ((instance & 0x7fffffffU) == 0) continue;
     const std::uint32_t surface = faces.surface_of_face[face];
     const Vec3 reflected = shading.reflected(surface, read.normals[pixel], i % width, first_row + i / width);
-    const Imath::V4f& colour = surfaces.surfaces[3 * surface];
+    const Imath::V4f& colour = surfaces.surfaces[SurfaceTables::Rows * surface];
     const Imath::V4f& value = read.values[pixel];
     read.light[pixel] +=
         Imath::V3f(colour.x * value.x, colour.y * value.y, colour.z * value.z) * Imath::V3f(reflected);

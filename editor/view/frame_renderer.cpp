@@ -142,11 +142,34 @@ void FrameRenderer::paint_geometry(const Job& job, const Runs& runs) {
   gl_.glEnable(GL_POLYGON_OFFSET_FILL);
   gl_.glPolygonOffset(0.5F, 1);
   const bool has_irradiance = job.request.style.mode == DisplayMode::Irradiance;
-  const grf::Matrix44d world_to_camera = job.request.camera.world_to_camera();
   geometry_->bind();
   geometry_->setUniformValue("face_of_triangle", 0);
   geometry_->setUniformValue("is_orthographic", job.request.camera.is_orthographic());
   geometry_->setUniformValue("has_irradiance", has_irradiance);
+  paint_cut_out(job, [&] { paint_runs(job, runs); });
+  gl_.glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+/// Paints what is left of faces: once, and once per texture whose alpha decides that, which is bound then.
+void FrameRenderer::paint_cut_out(const Job& job, const std::function<void()>& paint) {
+  const SurfaceTables& surfaces = job.scene.surfaces();
+  set_shader_units(*geometry_);
+  geometry_->setUniformValue("image", static_cast<GLint>(ImageUnit));
+  geometry_->setUniformValue("alpha_number", surfaces.has_cutouts ? -1 : -2);
+  if (!surfaces.has_cutouts) return paint();
+  job.scene.bind_tables(TablesUnit);
+  geometry_->setUniformValue("shift", QPointF(job.request.shift.x, job.request.shift.y));
+  paint();
+  for (const std::size_t number : surfaces.alphas) {
+    geometry_->setUniformValue("alpha_number", static_cast<GLint>(number));
+    job.scene.bind_texture(number, ImageUnit);
+    paint();
+  }
+}
+
+void FrameRenderer::paint_runs(const Job& job, const Runs& runs) {
+  const bool has_irradiance = job.request.style.mode == DisplayMode::Irradiance;
+  const grf::Matrix44d world_to_camera = job.request.camera.world_to_camera();
   for (const Run& run : runs) {
     const MeshInstance& instance = job.scene.instances()[run.instance];
     const grf::Matrix44d to_camera = instance.to_world * world_to_camera;
@@ -162,7 +185,6 @@ void FrameRenderer::paint_geometry(const Job& job, const Runs& runs) {
         ->draw_triangles(run.first, run.count,
                          has_irradiance ? VertexValue::Irradiance : VertexValue::Colour);
   }
-  gl_.glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 void FrameRenderer::cover(QOpenGLShaderProgram& program, const Job& job) {

@@ -100,6 +100,8 @@ class FrameRenderer {
                                    std::size_t size);
   void clear(const Job& job);
   void paint_geometry(const Job& job, const Runs& runs);
+  void paint_cut_out(const Job& job, const std::function<void()>& paint);
+  void paint_runs(const Job& job, const Runs& runs);
   void paint_textures(const Job& job);
   void shade(const Job& job);
   void add_brdf_steps(const SharedJob& job, std::vector<Step>& steps);

@@ -118,18 +118,25 @@ void SceneBuffers::bind_texture(std::size_t number, GLuint unit) {
 std::unique_ptr<QOpenGLTexture> SceneBuffers::texture_of(const image::Image& image) const {
   auto texture = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
   texture->setSize(image.width, image.height);
-  texture->setFormat(QOpenGLTexture::RGB16F);
+  const bool has_alpha = !image.alpha.empty();
+  const auto layout = has_alpha ? QOpenGLTexture::RGBA : QOpenGLTexture::RGB;
+  texture->setFormat(has_alpha ? QOpenGLTexture::RGBA16F : QOpenGLTexture::RGB16F);
   texture->setMipLevels(texture->maximumMipLevels());
-  texture->allocateStorage(QOpenGLTexture::RGB, QOpenGLTexture::Float32);
+  texture->allocateStorage(layout, QOpenGLTexture::Float32);
   // OpenGL's rows start at the bottom.
-  std::vector<reflectance::Rgb> rows(image.pixels.size());
-  const auto width = static_cast<std::ptrdiff_t>(image.width);
-  for (std::ptrdiff_t y = 0; y < image.height; ++y) {
-    std::copy_n(image.pixels.begin() + y * width, width, rows.begin() + (image.height - 1 - y) * width);
+  std::vector<float> rows;
+  rows.reserve((has_alpha ? 4 : 3) * image.pixels.size());
+  const auto width = static_cast<std::size_t>(image.width);
+  for (std::size_t y = static_cast<std::size_t>(image.height); y-- > 0;) {
+    for (std::size_t i = y * width; i < (y + 1) * width; ++i) {
+      const grf::Colour& pixel = image.pixels[i];
+      rows.insert(rows.end(), {pixel.x, pixel.y, pixel.z});
+      if (has_alpha) rows.push_back(image.alpha[i]);
+    }
   }
   QOpenGLPixelTransferOptions options;
   options.setAlignment(1);
-  texture->setData(0, QOpenGLTexture::RGB, QOpenGLTexture::Float32, rows.data(), &options);
+  texture->setData(0, layout, QOpenGLTexture::Float32, rows.data(), &options);
   texture->generateMipMaps();
   texture->setMinMagFilters(QOpenGLTexture::LinearMipMapLinear, QOpenGLTexture::Linear);
   texture->setWrapMode(QOpenGLTexture::Repeat);

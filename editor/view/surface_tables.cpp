@@ -48,6 +48,15 @@ class Builder {
     for (const CombinedBrdf& term : brdfs) add_term(term);
     tables_.surfaces.emplace_back(static_cast<float>(first), static_cast<float>(brdfs.size()),
                                   add_mirror(brdfs), lobe_exponent(brdfs));
+    add_opacity(is_light ? grf::Opacity() : flat_surface.opacity, flat_surface.texture);
+  }
+
+  void add_opacity(const grf::Opacity& opacity, const std::string& texture) {
+    const float alpha = opacity.reads_alpha() ? texture_number(texture) : -1;
+    tables_.surfaces.emplace_back(opacity.kind == grf::Opacity::Kind::Mask ? 1.0F : 0.0F, opacity.value,
+                                  alpha, 0.0F);
+    tables_.has_cutouts |= opacity != grf::Opacity();
+    if (alpha >= 0) tables_.alphas.insert(static_cast<std::size_t>(alpha));
   }
 
   float texture_number(const std::string& path) {

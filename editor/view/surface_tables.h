@@ -27,7 +27,8 @@ struct SurfaceTables {
   /// The number of tabulated values of the specular part over the cosine of the view angle, from 0 to 1.
   static constexpr int SpecularValues = 32;
 
-  /// Three rows per surface: see shaders/g_buffer.glsl.
+  /// Rows per surface: see shaders/g_buffer.glsl.
+  static constexpr std::size_t Rows = 4;
   std::vector<Imath::V4f> surfaces;
   /// The terms of BRDFs: weight, number of the model, number of parameters and number of rows of what layers
   /// above transmit (0 without layers), followed by the parameters and by these rows.
@@ -35,6 +36,8 @@ struct SurfaceTables {
   std::vector<Imath::V4f> terms;
   std::vector<std::size_t> ends;      ///< per mesh, the rows that surfaces up to its last one need
   std::vector<std::string> textures;  ///< image paths, by number
+  bool has_cutouts = false;           ///< some surface is not opaque
+  std::set<std::size_t> alphas;       ///< numbers of the textures whose alpha surfaces read
   std::set<std::size_t> models;       ///< numbers of the models in use: indices of FormulaBrdf
   std::set<std::string> not_shown;    ///< keywords of BRDFs that are previewed as diffuse
 };

@@ -64,7 +64,7 @@ std::vector<ReadTexture> TextureStore::textures() const {
 TextureStore::Entry TextureStore::read(const ImageProcess& images, const std::string& path,
                                        const std::stop_token& stop) {
   grf::Diagnostics diagnostics;
-  auto image = images.read(path, diagnostics, {}, stop);
+  auto image = images.read(path, diagnostics, {}, stop, image::Alpha::Kept);
   if (image) return {std::make_shared<const image::Image>(*std::move(image)), {}, true, 0};
   const bool has_error = diagnostics.error_count() > 0;  // no message if it was stopped
   return {nullptr, has_error ? path + ": " + diagnostics.entries().front().message : std::string(), true, 0};

@@ -23,9 +23,10 @@ vec3 normal_at(ivec2 place) {
 }
 
 // The rows of a surface: 0 colour and texture, 1 emission and whether there is one, 2 first term, number of
-// terms, first value of the specular part (or -1), exponent of the lobe.
+// terms, first value of the specular part (or -1), exponent of the lobe, 3 whether it is cut out by alpha, its
+// opacity (a cutoff or a factor of alpha), the texture whose alpha it reads (or -1).
 vec4 surface_row(uvec2 face, int row) {
-  return texelFetch(surfaces, 3 * int(texelFetch(surface_of_face, int(face.y)).r) + row);
+  return texelFetch(surfaces, 4 * int(texelFetch(surface_of_face, int(face.y)).r) + row);
 }
 
 vec3 encoded(vec3 linear) {

@@ -7,6 +7,12 @@ uniform bool is_mirrored;
 uniform bool is_orthographic;
 uniform bool has_irradiance;
 uniform vec3 y_axis;  // the mesh's own y axis in camera space
+// The texture whose alpha decides where the faces painted now are; -1: faces without one, -2: all are opaque.
+uniform int alpha_number;
+uniform sampler2D image;
+uniform usamplerBuffer surface_of_face;
+uniform samplerBuffer surfaces;
+uniform vec2 shift;  // of the pass, pixels
 in vec4 vertex_value;
 in vec2 vertex_uv;
 layout(location = 0) out uvec2 face_out;
@@ -37,6 +43,23 @@ float tangent_angle(vec3 n) {
   return atan(dot(tangent, y), dot(tangent, x) + 1e-20);
 }
 
+// A random number per pixel, face and pass: the passes that antialias the image blend what it decides.
+float random_number(uint face) {
+  uvec2 place = uvec2(gl_FragCoord.xy);
+  uint x = place.x ^ (place.y * 0x9e3779b1u) ^ (face * 0x85ebca77u);
+  x ^= floatBitsToUint(shift.x) ^ (floatBitsToUint(shift.y) * 0xc2b2ae3du);
+  x = (x ^ (x >> 16)) * 0x7feb352du;
+  x = (x ^ (x >> 15)) * 0x846ca68bu;
+  x ^= x >> 16;
+  return float(x >> 8) / 16777216.0;
+}
+
+bool is_absent(uint face, float alpha) {
+  vec4 opacity = texelFetch(surfaces, 4 * int(texelFetch(surface_of_face, int(face)).r) + 3);
+  if (int(opacity.z) != alpha_number) return true;
+  return opacity.x > 0 ? alpha < opacity.y : random_number(face) >= opacity.y * alpha;
+}
+
 void main() {
   uint face = texelFetch(face_of_triangle, first_triangle + gl_PrimitiveID).r;
   bool from_behind = gl_FrontFacing == is_mirrored;
@@ -48,4 +71,7 @@ void main() {
   float footprint = log2(max(max(width.x, width.y), 1e-6));
   value_out = vec4(vertex_value.rgb, has_irradiance ? (vertex_value.a > 0.999 ? 1 : 0) : footprint);
   uv_out = vertex_uv;
+  if (alpha_number == -2) return;
+  float alpha = alpha_number >= 0 ? texture(image, vertex_uv).a : 1;
+  if (is_absent(uint(first_face) + face, alpha)) discard;
 }

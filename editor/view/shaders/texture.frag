@@ -9,5 +9,7 @@ void main() {
   if (is_nothing(face) || int(surface_row(face, 0).a) != number) discard;
   vec2 size = vec2(textureSize(image, 0));
   float level = texelFetch(values, place, 0).a + log2(max(size.x, size.y));
-  factor = vec4(textureLod(image, texelFetch(uvs, place, 0).xy, level).rgb, 1);
+  vec4 texel = textureLod(image, texelFetch(uvs, place, 0).xy, level);
+  bool is_of_opaque_part = surface_row(face, 3).z >= 0;
+  factor = vec4(is_of_opaque_part ? texel.rgb / max(texel.a, 1e-4) : texel.rgb, 1);
 }

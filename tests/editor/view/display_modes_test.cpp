@@ -3,7 +3,9 @@
 #include <QTemporaryDir>
 #include <cmath>
 #include <map>
+#include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "editor/appearance/theme.h"
@@ -86,6 +88,54 @@ TEST(DisplayModes, ColoursAreThoseOfTheFaces) {
   EXPECT_NEAR(front.green(), front.blue(), 2);
 }
 
+/// A square in the plane z = 0 whose texture is absent in its left half and red in its right one.
+SceneObjects cut_square(const QTemporaryDir& folder, const std::string& opacity) {
+  QImage image(2, 1, QImage::Format_RGBA8888);
+  image.setPixelColor(0, 0, QColor(0, 0, 0, 0));
+  image.setPixelColor(1, 0, QColor(255, 0, 0));
+  image.save(folder.filePath("half.png"));
+  const std::string text = "begin mesh brdf diffuse texture \"half.png\" " + opacity +
+                           " begin vertexs uv (0,0) (-1,-1,0) uv (1,0) (1,-1,0) uv (1,1) (1,1,0) uv (0,1) "
+                           "(-1,1,0) end vertexs begin faces (0,1,2,3) end faces end mesh";
+  grf::Diagnostics diagnostics;
+  const std::string path = folder.filePath("scene.grf").toStdString();
+  const auto scene = grf::read_text(text, path, diagnostics);
+  EXPECT_TRUE(scene) << diagnostics.to_text();
+  return objects_of(*scene, path);
+}
+
+/// The largest difference of two colours' channels, 0 to 255.
+int difference(const QColor& a, const QColor& b) {
+  return std::max(
+      {std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
+}
+
+TEST(DisplayModes, FacesAreAbsentWhereTheirOpacitySaysSo) {
+  const QTemporaryDir folder;
+  transport::View from_the_front;
+  from_the_front.eye = Vec3d(0, 0, 4);
+  ShownView shown(cut_square(folder, ""), ViewCamera(from_the_front));
+  shown.view.resize(200, 150);
+  for (const DisplayMode mode : {DisplayMode::Solid, DisplayMode::Textured, DisplayMode::Brdf}) {
+    SCOPED_TRACE(int(mode));
+    const auto colours = [&](const std::string& opacity) {
+      shown.view.show(std::make_shared<const SceneObjects>(cut_square(folder, opacity)));
+      const QImage image = grab(shown, mode);
+      return std::pair(image.pixelColor(shown.pixel_of(Vec3d(-0.5, 0, 0))),
+                       image.pixelColor(shown.pixel_of(Vec3d(0.5, 0, 0))));
+    };
+    const auto opaque = colours("");
+    const auto absent = colours("opacity 0");
+    EXPECT_GT(difference(opaque.second, absent.second), 20);
+    EXPECT_LE(difference(colours("opacity 1").second, opaque.second), 1);
+    for (const char* opacity : {"opacity mask 0.5", "opacity blend 1"}) {
+      const auto cut = colours(opacity);
+      EXPECT_EQ(cut.first, absent.first) << opacity;
+      EXPECT_LE(difference(cut.second, opaque.second), 1) << opacity;
+    }
+  }
+}
+
 TEST(DisplayModes, ATextureStandsUpright) {
   const QTemporaryDir folder;
   ShownView shown(rich_cube(folder));
@@ -139,6 +189,68 @@ TEST(DisplayModes, NormalsAreDrawnAsLines) {
   shown.view.set_vertex_normals(true);  // it has none
   ASSERT_TRUE(shown.complete());
   EXPECT_LT(difference(shown.view.grab().toImage(), without), 0.01);
+}
+
+/// A red square before a green one, with an opacity: that in front covers the middle of the view.
+SceneObjects red_before_green(const std::string& folder, const std::string& opacity) {
+  grf::Diagnostics diagnostics;
+  const auto square = [](double z) {
+    return fmt::format(
+        "begin vertices uv (0,0) (-1,-1,{0}) uv (1,0) (1,-1,{0}) uv (1,1) (1,1,{0}) "
+        "uv (0,1) (-1,1,{0}) end vertices begin faces 4 (0,1,2,3) end faces end mesh ",
+        z);
+  };
+  const std::string path = folder + "/scene.grf";
+  const auto scene =
+      grf::read_text(fmt::format("begin mesh \"behind\" rgb (0, 0.6, 0) {}begin mesh \"front\" "
+                                 "rgb (0.6, 0, 0) {} {}",
+                                 square(0), opacity, square(1)),
+                     path, diagnostics);
+  EXPECT_TRUE(scene) << diagnostics.to_text();
+  return scene ? objects_of(*scene, path) : SceneObjects();
+}
+
+/// The mean of the displayed red channel over a square of pixels, in which the red square is in front.
+double displayed_red(ShownView& shown, const Vec3d& at) {
+  const QImage image = grab(shown, DisplayMode::VertexColours);
+  const QPoint middle = shown.pixel_of(at);
+  constexpr int Reach = 6;
+  double sum = 0;
+  for (int y = -Reach; y < Reach; ++y) {
+    for (int x = -Reach; x < Reach; ++x) sum += image.pixelColor(middle + QPoint(x, y)).redF();
+  }
+  return sum / (4 * Reach * Reach);
+}
+
+// Antialiasing passes are averaged as they are displayed, and a face is drawn in a part of them.
+TEST(DisplayModes, OpacityIsThePartOfThePassesThatDrawAFace) {
+  const QTemporaryDir folder;
+  QImage image(8, 8, QImage::Format_ARGB32);
+  image.fill(Qt::white);
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 4; ++x) image.setPixelColor(x, y, QColor(255, 255, 255, 100));
+  }
+  ASSERT_TRUE(image.save(folder.filePath("left.png")));
+  ShownView shown(red_before_green(folder.path().toStdString(), ""));
+  shown.view.resize(200, 150);
+  const auto red = [&](const std::string& opacity, double x) {
+    shown.view.show(
+        std::make_shared<const SceneObjects>(red_before_green(folder.path().toStdString(), opacity)));
+    return displayed_red(shown, Vec3d(x, 0, 1));
+  };
+  const double full = red("", 0);
+  EXPECT_GT(full, 0.3);
+  const double none = red("opacity 0", 0);
+  EXPECT_LT(none, 0.1 * full);
+  const auto share = [&](const std::string& opacity, double x) {
+    return (red(opacity, x) - none) / (full - none);
+  };
+  EXPECT_NEAR(share("opacity 0.75", 0), 0.75, 0.05);
+  EXPECT_NEAR(share("opacity 0.25", 0), 0.25, 0.05);
+  const std::string texture = "texture \"left.png\" opacity ";
+  EXPECT_NEAR(share(texture + "blend 0.5", -0.5), 0.5 * 100 / 255, 0.05);
+  EXPECT_NEAR(share(texture + "blend 0.5", 0.5), 0.5, 0.05);
+  EXPECT_NEAR(share(texture + "mask 0.3", -0.5), 1, 0.01) << "the alpha is above the cutoff";
 }
 
 TEST(DisplayModes, EveryModelCompiles) {
