@@ -6,6 +6,8 @@
 namespace grf {
 
 /// A new folder in the system's folder for temporary files, removed with all that is in it by the destructor.
+/// What a process left that was killed is removed when any process makes a folder of the same prefix a minute
+/// later.
 class ShortLivedFolder {
  public:
   /// The folder's name begins with this prefix. Throws std::system_error if it cannot be made.
@@ -18,6 +20,7 @@ class ShortLivedFolder {
 
  private:
   std::filesystem::path path_;
+  int lock_ = -1;  ///< the opened folder, locked while it is in use; -1 where that is not possible
 };
 
 }  // namespace grf
