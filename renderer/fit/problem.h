@@ -26,6 +26,8 @@ class Problem {
   std::size_t unknown_count() const { return shape_count_ + weights_.size(); }
   std::size_t shape_count() const { return shape_count_; }
   std::size_t residual_count() const { return targets_.size(); }
+  /// Returns the number of residuals of an observation, which follow each other: 1 if all are grey, else 3.
+  int channels() const { return channels_; }
   /// Returns the largest value of an unknown; the least is 0. Weights in sums have no limit.
   double upper(std::size_t unknown) const {
     return unknown < shape_count_ ? 1 : weights_[unknown - shape_count_].maximum;

@@ -43,6 +43,30 @@ FreeColumns free_columns(const Problem& problem, std::span<const double> x, cons
   return free;
 }
 
+/// Returns what the residuals of each observation change in the directions of `left`, with the correction HC3
+/// of MacKinnon and White (1985) for leverage. The channels of an observation are added: what is wrong with a
+/// measurement is wrong with all of them (the clusters of Liang and Zeger 1986).
+Eigen::MatrixXd changes_by(const Eigen::MatrixXd& left, const Eigen::VectorXd& residuals,
+                           Eigen::Index channels) {
+  Eigen::MatrixXd changes = Eigen::MatrixXd::Zero(left.rows() / channels, left.cols());
+  for (Eigen::Index row = 0; row < left.rows(); ++row) {
+    const double leverage = std::min(left.row(row).squaredNorm(), 1 - 1e-6);
+    changes.row(row / channels) += residuals(row) / (1 - leverage) * left.row(row);
+  }
+  return changes;
+}
+
+/// Returns half of the interval of 95 % confidence of an unknown that observations change by so much. Where
+/// few of them matter, the variance is itself uncertain: Satterthwaite's degrees of freedom (1946), as Bell
+/// and McCaffrey (2002) use them, with E(x^4) = 3 E(x^2)^2 of normal noise.
+double half_width_of(const Eigen::VectorXd& changes, double freedom) {
+  const double variance = changes.squaredNorm();
+  if (variance <= 0) return 0;
+  const double effective = 3 * variance * variance / changes.array().square().matrix().squaredNorm();
+  const boost::math::students_t distribution(std::max(1.0, std::min(effective, freedom)));
+  return boost::math::quantile(distribution, 0.975) * std::sqrt(variance);
+}
+
 }  // namespace
 
 std::vector<Uncertainty> uncertainties(const Problem& problem, std::span<const double> x) {
@@ -78,19 +102,11 @@ std::vector<Uncertainty> uncertainties(const Problem& problem, std::span<const d
   const Eigen::MatrixXd to_unknowns =
       svd.matrixV().leftCols(rank) * values.head(rank).cwiseInverse().asDiagonal();
   const Eigen::MatrixXd left = free.columns * to_unknowns;  // orthonormal columns
-  Eigen::VectorXd squares(rows);
-  for (Eigen::Index row = 0; row < rows; ++row) {
-    const double leverage = std::min(left.row(row).squaredNorm(), 1 - 1e-6);
-    squares(row) = residuals(row) * residuals(row) / (1 - leverage);
-  }
-  const Eigen::MatrixXd middle = left.transpose() * squares.asDiagonal() * left;
-  const Eigen::MatrixXd covariance = to_unknowns * middle * to_unknowns.transpose();
-  const boost::math::students_t distribution(static_cast<double>(rows - rank));
-  const double quantile = boost::math::quantile(distribution, 0.975);
+  const Eigen::MatrixXd changes = changes_by(left, residuals, problem.channels()) * to_unknowns.transpose();
+  const auto freedom = static_cast<double>(rows - rank) / problem.channels();
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto place = static_cast<std::size_t>(i);
-    all[free.unknowns[place]].half_width =
-        quantile * std::sqrt(std::max(0.0, covariance(i, i))) / free.lengths[place];
+    all[free.unknowns[place]].half_width = half_width_of(changes.col(i), freedom) / free.lengths[place];
   }
   return all;
 }

@@ -18,8 +18,9 @@ struct Uncertainty {
 };
 
 /// Computes the uncertainties of all unknowns from the Jacobian and the residuals at the solution. The
-/// covariance is the sandwich of MacKinnon and White (1985, "HC2"), which holds where the noise differs
-/// between observations, as it does in any metric; those of directions that are not determined are left out.
+/// covariance is the sandwich of MacKinnon and White (1985, "HC3"), which holds where the noise differs
+/// between observations, as it does in any metric, and for noise that an observation's channels share; those
+/// of directions that are not determined are left out.
 std::vector<Uncertainty> uncertainties(const Problem& problem, std::span<const double> x);
 
 }  // namespace fit
