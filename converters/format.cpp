@@ -15,6 +15,7 @@
 #include "converters/off/off.h"
 #include "converters/ply/ply.h"
 #include "converters/renderers/renderer_formats.h"
+#include "converters/usd/usd_formats.h"
 #include "converters/vrml/vrml.h"
 #include "grf/keywords.h"
 #include "grf/text_file.h"
@@ -65,10 +66,11 @@ std::string readable_formats() {
 
 std::span<const Format> formats() {
   static const std::array all = {
-      grf_format(), obj_format(),  ply_format(),     ply_ascii_format(),    gltf_format(),
-      glb_format(), pbrt_format(), mitsuba_format(), vrml_format(),         three_ds_format(),
-      stl_format(), off_format(),  dxf_format(),     collada_format(),      fbx_format(),
-      lwo_format(), ac3d_format(), x_format(),       other_assimp_format(),
+      grf_format(),          obj_format(),      ply_format(),       ply_ascii_format(), gltf_format(),
+      glb_format(),          usd_format(),      materialx_format(), pbrt_format(),      mitsuba_format(),
+      vrml_format(),         three_ds_format(), stl_format(),       off_format(),       dxf_format(),
+      collada_format(),      fbx_format(),      lwo_format(),       ac3d_format(),      x_format(),
+      other_assimp_format(),
   };
   return all;
 }

@@ -24,7 +24,8 @@ constexpr command_line::ManualText Manual = {
     .description =
         "grfconvert converts models and scenes between GRF and the formats of other programs: OBJ, PLY, "
         "glTF, 3DS, "
-        "STL, VRML, COLLADA, FBX and others to GRF, and GRF to OBJ, PLY, glTF, STL, pbrt and Mitsuba. "
+        "STL, VRML, COLLADA, FBX and others to GRF, and GRF to OBJ, PLY, glTF, STL, USD, MaterialX, pbrt and "
+        "Mitsuba. "
         "Formats are "
         "detected. What a format cannot hold is listed as lost.\n\n"
         "Files are read in a process of their own, with limits of memory and time.",

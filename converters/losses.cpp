@@ -168,6 +168,15 @@ LossText text_of(Loss loss) {
               "faces that emit lost the normals of their vertices", "its light would leave by them"};
     case Loss::Backplate:
       return {"backplate was left out", "backplates were left out", "the format has none"};
+    case Loss::BrdfNearest:
+      return {"face has the nearest material in place of its BRDF's formula",
+              "faces have the nearest material in place of their BRDF's formula",
+              "the format has other models"};
+    case Loss::EmissionOfOneSide:
+      return {"face that emits lost its dark back", "faces that emit lost their dark backs",
+              "the other faces of the mesh are seen from both sides"};
+    case Loss::Geometry:
+      return {"mesh lost its geometry", "meshes lost their geometry", "the format has only materials"};
   }
   return {};
 }

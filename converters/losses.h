@@ -74,6 +74,10 @@ enum class Loss {
   MirrorFresnel,
   EmitterNormal,
   Backplate,
+  // Features that files of USD and MaterialX lack.
+  BrdfNearest,
+  EmissionOfOneSide,
+  Geometry,
 };
 
 class Losses {
@@ -90,7 +94,7 @@ class Losses {
                       grf::Diagnostics& diagnostics) const;
 
  private:
-  std::array<std::size_t, static_cast<std::size_t>(Loss::Backplate) + 1> counts_ = {};
+  std::array<std::size_t, static_cast<std::size_t>(Loss::Geometry) + 1> counts_ = {};
 };
 
 }  // namespace convert

@@ -105,7 +105,7 @@ void define_conversion(CLI::App& app, Arguments& arguments) {
       ->check(is_format_with(&Format::write));
   app.add_option(
          "--options", arguments.op_file,
-         "OP file with the camera, film, environment map, depth and samples of a pbrt or Mitsuba scene; "
+         "OP file with the camera, film, environment map, depth and samples of a USD, pbrt or Mitsuba scene; "
          "or give the OP file as the input, which names its scene")
       ->check(CLI::ExistingFile);
   app.add_flag("--flatten", arguments.flat, "Expand included files and BRDF files into one GRF file");

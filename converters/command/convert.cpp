@@ -201,7 +201,8 @@ std::string problem_of(const ConvertOptions& options) {
   }
   const bool has_view = !options.writing.op_file.empty() || is_op_file(options.input.path);
   if (has_view && format->write_view == nullptr) {
-    return fmt::format("OP files are for scenes of renderers (pbrt, mitsuba), and this is {}", format->name);
+    return fmt::format("OP files are for scenes of renderers (usd, pbrt, mitsuba), and this is {}",
+                       format->name);
   }
   return {};
 }

@@ -79,6 +79,8 @@ TEST(Formats, OfXmlAreMitsubaIfItIsAScene) {
   EXPECT_EQ(recognised("a.xml", "<mesh>"), "other");
   EXPECT_EQ(recognised("a.xml", "<!-- <scene version=\"3.0.0\">"), "other");
   EXPECT_EQ(format_of_name("a.xml"), find_format("mitsuba"));
+  EXPECT_EQ(recognised("a.xml", "<?xml version=\"1.0\"?>\n<materialx version=\"1.39\">"), "materialx");
+  EXPECT_EQ(recognised("a.x", "#usda 1.0\n("), "usd");
   EXPECT_EQ(recognised("a.pbrt", "WorldBegin"), "pbrt");
 }
 

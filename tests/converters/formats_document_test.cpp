@@ -47,6 +47,9 @@ TEST(FormatsDocument, SaysWhatBecomesOfMaterials) {
   expect_table("GRF to MTL", material_table("GRF", "MTL", find_format("obj")->written_materials));
   expect_table("glTF to GRF", material_table("glTF", "GRF", find_format("gltf")->read_materials));
   expect_table("GRF to glTF", material_table("GRF", "glTF", find_format("gltf")->written_materials));
+  expect_table("GRF to USD", material_table("GRF", "USD", find_format("usd")->written_materials));
+  expect_table("GRF to MaterialX",
+               material_table("GRF", "MaterialX", find_format("materialx")->written_materials));
   expect_table("GRF to pbrt", material_table("GRF", "pbrt", find_format("pbrt")->written_materials));
   expect_table("GRF to Mitsuba", material_table("GRF", "Mitsuba", find_format("mitsuba")->written_materials));
   expect_table("VRML to GRF", material_table("VRML", "GRF", find_format("vrml")->read_materials));
