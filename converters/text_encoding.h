@@ -19,4 +19,7 @@ bool is_padding(std::string_view bytes);
 /// Converts a text to one line with one kind of quotes, as names and comments of GRF are.
 std::string on_one_line(std::string text);
 
+/// Returns a text as the value of an XML attribute. Control characters, which XML lacks, become blanks.
+std::string xml_value(std::string_view text);
+
 }  // namespace convert

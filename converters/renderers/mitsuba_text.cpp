@@ -9,34 +9,12 @@
 
 #include "converters/renderers/surroundings_image.h"
 #include "converters/renderers/words.h"
+#include "converters/text_encoding.h"
 
 namespace convert {
 namespace {
 
 using Base = WrittenMaterial::Base;
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 /// Composes the text, an element at a time.
 class MitsubaWriter {
@@ -76,7 +54,7 @@ class MitsubaWriter {
     end();
   }
   void parameter(std::string_view type, std::string_view name, const std::string& value) {
-    put(fmt::format("<{} name=\"{}\" value=\"{}\"/>", type, name, escaped(value)));
+    put(fmt::format("<{} name=\"{}\" value=\"{}\"/>", type, name, xml_value(value)));
   }
   void number(std::string_view name, double value) { parameter("float", name, fmt::format("{}", value)); }
   void colour(std::string_view name, const grf::Colour& value) { parameter("rgb", name, words(value)); }

@@ -1,42 +1,15 @@
 #include "converters/usd/mtlx_text.h"
 
 #include <map>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "converters/text_encoding.h"
 #include "grf/unique_names.h"
 
 namespace convert {
 namespace {
-
-/// Returns the text as the value of an XML attribute. Control characters, which XML lacks, become blanks.
-std::string xml_value(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\n':
-        result += "&#10;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
-  return result;
-}
 
 std::string value_of(const ShadingInput& input) {
   if (input.type == "string" || input.type == "filename") return xml_value(input.text);
