@@ -1,6 +1,7 @@
 #include "converters/usd/usd_material.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <vector>
 
@@ -155,13 +156,9 @@ void UsdMaterialWriter::put_graph() {
 }
 
 void UsdMaterialWriter::put() {
-  const std::vector<std::string> metadata = {"prepend apiSchemas = [\"MaterialXConfigAPI\"]",
-                                             "customData = {",
-                                             "    dictionary grf = {",
-                                             "        string name = " + usd_string(material_.original),
-                                             "        string surface = " + usd_string(material_.grf),
-                                             "    }",
-                                             "}"};
+  std::vector<std::string> metadata = usd_custom_data(std::array{
+      "string name = " + usd_string(material_.original), "string surface = " + usd_string(material_.grf)});
+  metadata.insert(metadata.begin(), "prepend apiSchemas = [\"MaterialXConfigAPI\"]");
   text_.begin(fmt::format("def Material \"{}\"", material_.name), metadata);
   text_.line("string config:mtlx:version = \"1.39\"");
   text_.line(fmt::format("token outputs:surface.connect = <{}/PreviewSurface.outputs:surface>", path_));

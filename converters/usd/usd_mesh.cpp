@@ -1,6 +1,7 @@
 #include "converters/usd/usd_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -131,8 +132,7 @@ void UsdMeshWriter::put_colours() {
 std::vector<std::pair<std::string, std::size_t>> UsdMeshWriter::put() {
   std::vector<std::string> metadata;
   if (!usd_mesh_.original.empty()) {
-    metadata = {"customData = {", "    dictionary grf = {",
-                "        string name = " + usd_string(usd_mesh_.original), "    }", "}"};
+    metadata = usd_custom_data(std::array{"string name = " + usd_string(usd_mesh_.original)});
   }
   text_.begin(fmt::format("def Mesh \"{}\"", usd_mesh_.name), metadata);
   put_sides();

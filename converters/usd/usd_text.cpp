@@ -38,6 +38,13 @@ std::string usd_matrix(const grf::Matrix44d& matrix) {
   return "( " + text + " )";
 }
 
+std::vector<std::string> usd_custom_data(std::span<const std::string> declarations) {
+  std::vector<std::string> metadata = {"customData = {", "    dictionary grf = {"};
+  for (const std::string& declaration : declarations) metadata.push_back("        " + declaration);
+  metadata.insert(metadata.end(), {"    }", "}"});
+  return metadata;
+}
+
 void UsdText::line(std::string_view line) {
   text.append(4 * depth_, ' ');
   text += line;

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -30,6 +31,9 @@ std::string usd_tuple(const Imath::Vec2<Number>& v) {
 }
 /// Returns a matrix for row vectors, as GRF and USD have them.
 std::string usd_matrix(const grf::Matrix44d& matrix);
+
+/// Returns the metadata of a prim that keep what only GRF has: a dictionary `grf` of declarations.
+std::vector<std::string> usd_custom_data(std::span<const std::string> declarations);
 
 /// Composes indented text.
 class UsdText {

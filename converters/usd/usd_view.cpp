@@ -1,5 +1,6 @@
 #include "converters/usd/usd_view.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -23,8 +24,7 @@ void put_usd_camera(UsdText& text, const std::string& name, const std::string& o
                     const RenderView& view, double reach) {
   std::vector<std::string> metadata;
   if (!original.empty()) {
-    metadata = {"customData = {", "    dictionary grf = {",
-                "        string name = " + usd_string(to_utf8(original)), "    }", "}"};
+    metadata = usd_custom_data(std::array{"string name = " + usd_string(to_utf8(original))});
   }
   text.begin(fmt::format("def Camera \"{}\"", name), metadata);
   const double vertical = 2 * FocalLength * std::tan(view.field_of_view * std::numbers::pi / 360);
@@ -115,12 +115,8 @@ bool put_usd_view(UsdText& text, const std::string& parent, const std::string& p
   put_usd_camera(text, "Camera", render_options ? render_options->camera : "", *view,
                  reach_from(view->eye, bounds));
   if (render_options && !put_named_cameras(text, *render_options, bounds, diagnostics)) return false;
-  const std::vector<std::string> metadata = {"customData = {",
-                                             "    dictionary grf = {",
-                                             fmt::format("        int depth = {}", view->depth),
-                                             fmt::format("        int samples = {}", view->samples),
-                                             "    }",
-                                             "}"};
+  const std::vector<std::string> metadata = usd_custom_data(
+      std::array{fmt::format("int depth = {}", view->depth), fmt::format("int samples = {}", view->samples)});
   text.begin("def RenderSettings \"Render\"", metadata);
   text.line(fmt::format("rel camera = <{}/Camera>", parent));
   text.line(fmt::format("uniform int2 resolution = ({}, {})", view->width, view->height));
