@@ -6,8 +6,8 @@
 namespace grf {
 
 /// A new folder in the system's folder for temporary files, removed with all that is in it by the destructor.
-/// What a process left that was killed is removed when any process makes a folder of the same prefix a minute
-/// later.
+/// A folder that a killed process left is removed when any process makes one of the same prefix a minute or
+/// more later.
 class ShortLivedFolder {
  public:
   /// The folder's name begins with this prefix. Throws std::system_error if it cannot be made.
