@@ -169,19 +169,24 @@ bool can_render_part(const PartTask& task, const RenderOptions& render_options, 
   return true;
 }
 
-/// Reads the pilot of an adaptive image.
-std::shared_ptr<const transport::Film> read_pilot(const std::string& path,
-                                                  const transport::Fingerprint& fingerprint,
-                                                  Diagnostics& diagnostics) {
+/// Reads the pilot of an adaptive image, and takes the samples of its part that follow.
+bool place_by_pilot(const PartTask& task, const transport::Fingerprint& fingerprint,
+                    transport::RenderSettings& settings, Diagnostics& diagnostics) {
+  const std::string& path = task.pilot;
   auto part = transport::read_part(path, diagnostics);
-  if (!part) return nullptr;
+  if (!part) return false;
   const bool fits = part->fingerprint == fingerprint && part->is_adaptive != 0;
   transport::PartMerge merge;
   merge.add(std::move(*part), path, diagnostics);
-  if (fits && merge.has_whole_pilot()) return std::make_shared<transport::Film>(merge.film());
+  if (fits && merge.has_whole_pilot()) {
+    const auto counts = transport::AdaptiveSampling(merge.film()).counts(settings.samples);
+    const auto pilot = transport::uniform_counts(transport::AdaptiveSampling::PilotSamples);
+    settings.part_samples = transport::samples_of(task.part, counts, pilot);
+    return true;
+  }
   diagnostics.error(grf::whole_file(path), fits ? "the pilot has not all tiles: merge all of its parts"
                                                 : "it is no pilot of this image");
-  return nullptr;
+  return false;
 }
 
 std::optional<job::RenderJob> prepare(const RenderOptions& render_options,
@@ -262,9 +267,9 @@ ExitCode render_image(const RenderArguments& arguments, const RenderOptions& ren
   const RunSettings settings = run_settings_of(render_options, outputs.front(), task, diagnostics);
   if (task && !task->pilot.empty()) {
     Diagnostics of_pilot;
-    job->settings.pilot = read_pilot(task->pilot, settings.image_fingerprint, of_pilot);
+    const bool is_placed = place_by_pilot(*task, settings.image_fingerprint, job->settings, of_pilot);
     print(of_pilot);
-    if (!job->settings.pilot) return ExitCode::BadInput;
+    if (!is_placed) return ExitCode::BadInput;
   }
   render.emplace(job->scene, job->settings);
   const double setup_seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <iterator>
 #include <thread>
-#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -89,35 +89,25 @@ bool Coordinator::submit(std::string_view job_file, Diagnostics& diagnostics) {
   return false;
 }
 
-/// Renders the probe, and divides the image by the time that its samples take.
+/// Renders the probe, and measures the time that samples take.
 bool Coordinator::measure(Diagnostics& diagnostics) {
   constexpr double Enough = 0.2;
   const transport::RenderSettings& settings = job_.job->settings;
-  const int tiles = transport::Film(settings.width, settings.height).tile_count();
-  double seconds_per_path = 0;
+  const int tiles = tile_count_of(settings);
   for (int samples = std::min(2, settings.samples);; samples = std::min(4 * samples, settings.samples)) {
     const ImagePart part = spread_part(tiles, samples);
     const double start = thread_seconds();
-    const auto rendered = renders_.run(job_, part);
+    const auto rendered = renders_.run_probe(job_, part);
     if (!rendered) return false;  // stopped
     const double seconds = thread_seconds() - start;
     info_.probe = part;
     info_.probe_digest = transport::digest_of(*rendered);
     const double paths = std::max<double>(1, static_cast<double>(rendered->totals.paths));
-    seconds_per_path = seconds / paths;
+    seconds_per_sample_ = seconds / paths;
     if (seconds >= Enough || samples == settings.samples) break;
   }
-  if (tile_bytes(tiles) > farm_.largest_message()) {
-    diagnostics.error({}, "the image is too large for the messages of the farm's server");
-    return false;
-  }
-  const TaskLimits limits{settings_.part_seconds, farm_.largest_message() * 9 / 10};
-  tasks_ = divide(settings.width, settings.height, settings.samples, seconds_per_path, limits);
-  constexpr std::size_t MostTasks = 1'000'000;
-  if (tasks_.size() <= MostTasks) return true;
-  diagnostics.error({}, fmt::format("the image has {} parts, more than a farm can hold: make them longer "
-                                    "(--part-seconds)",
-                                    tasks_.size()));
+  if (tile_bytes(tiles) <= farm_.largest_message()) return true;
+  diagnostics.error({}, "the image is too large for the messages of the farm's server");
   return false;
 }
 
@@ -128,19 +118,17 @@ bool Coordinator::open_ledger(Diagnostics& diagnostics) {
     return is_part(record) || take_line(record, diagnostics);
   };
   ledger_ = Ledger::open(settings_.ledger, take, diagnostics);
-  return ledger_ && (has_records ? rebuild(diagnostics) : begin_ledger(diagnostics));
+  if (!ledger_ || !(has_records ? rebuild(diagnostics) : begin_ledger(diagnostics))) return false;
+  if (lacks_earlier_stage()) start_over();
+  return advance(diagnostics);
 }
 
-/// Writes what the job is: another run of the coordinator goes on with its identifier and its division.
+/// Writes what the job is: another run of the coordinator goes on with its identifier.
 bool Coordinator::begin_ledger(Diagnostics& diagnostics) {
-  auto tasks = nlohmann::json::array();
-  for (const ImagePart& part : tasks_)
-    tasks.push_back({part.first_sample, part.end_sample, part.first_tile, part.end_tile});
   const nlohmann::json start = {{"job", info_.id},
                                 {"created", info_.created},
                                 {"content", transport::hex(info_.content)},
-                                {"program", transport::hex(info_.fingerprint.program)},
-                                {"tasks", tasks}};
+                                {"program", transport::hex(info_.fingerprint.program)}};
   return was_written(ledger_->append(start.dump()) && ledger_->sync(), diagnostics);
 }
 
@@ -150,8 +138,8 @@ bool Coordinator::was_written(bool is_written, Diagnostics& diagnostics) const {
   return is_written;
 }
 
-/// Takes a record of the ledger that is no part: its beginning, or that a worker was dropped. The file is our
-/// own, and has check sums: what does not fit is of another image.
+/// Takes a record of the ledger that is no part: its beginning, a stage, or that a worker was dropped. The
+/// file is our own, and has check sums: what does not fit is of another image.
 bool Coordinator::take_line(std::string_view record, Diagnostics& diagnostics) try {
   const auto fail = [&](std::string_view why) {
     diagnostics.error(
@@ -159,6 +147,10 @@ bool Coordinator::take_line(std::string_view record, Diagnostics& diagnostics) t
         fmt::format("the ledger belongs to {}; remove it, or name another output, to start over", why));
     return false;
   };
+  if (auto stage = stage_tasks_of(record)) {
+    take_stage(std::move(*stage));
+    return true;
+  }
   const auto line = nlohmann::json::parse(record);
   if (line.contains("dropped")) {
     dropped_.insert(line.at("dropped").get<std::string>());
@@ -168,11 +160,6 @@ bool Coordinator::take_line(std::string_view record, Diagnostics& diagnostics) t
   if (line.at("program") != transport::hex(info_.fingerprint.program)) return fail("another build of bpt");
   info_.id = line.at("job");
   info_.created = line.at("created");
-  tasks_.clear();
-  for (const auto& [first, last, tile, end_tile] :
-       line.at("tasks").get<std::vector<std::tuple<int, int, int, int>>>()) {
-    tasks_.push_back({first, last, tile, end_tile});
-  }
   return true;
 } catch (const nlohmann::json::exception&) {
   diagnostics.error(grf::whole_file(settings_.ledger), "it is no ledger of this version of bpt");
@@ -188,18 +175,82 @@ bool Coordinator::rebuild(Diagnostics& diagnostics) {
     const std::size_t end = record.find('\n');
     const auto line = nlohmann::json::parse(record.substr(0, end));
     const std::string worker = line.at("worker");
-    if (dropped_.contains(worker)) return true;
+    const int task = line.at("task");
+    if (task < image_begin_ || dropped_.contains(worker)) return true;
     auto part = transport::parse_part(std::string(record.substr(end + 1)), settings_.ledger, diagnostics);
     if (!part) return false;
-    done_[line.at("task").get<int>()] = {transport::digest_of(*part), worker};
+    done_[task] = {transport::digest_of(*part), worker};
     return merge_.add(std::move(*part), settings_.ledger, diagnostics);
   });
 }
 
+void Coordinator::take_stage(StageTasks stage) {
+  stage_begin_ = static_cast<int>(tasks_.size());
+  stage_end_ = stage.end;
+  if (stage.image_begin == stage_begin_) {
+    merge_ = {};
+    done_.clear();
+  }
+  image_begin_ = stage.image_begin;
+  std::ranges::move(stage.tasks, std::back_inserter(tasks_));
+}
+
+bool Coordinator::is_stage_done() const {
+  return done_.size() + static_cast<std::size_t>(image_begin_) == tasks_.size();
+}
+
+/// Returns whether an earlier stage lacks parts: those of a worker that was dropped. What followed from them
+/// was wrong.
+bool Coordinator::lacks_earlier_stage() const {
+  return std::distance(done_.begin(), done_.lower_bound(stage_begin_)) < stage_begin_ - image_begin_;
+}
+
+void Coordinator::start_over() {
+  image_begin_ = stage_begin_ = static_cast<int>(tasks_.size());
+  stage_end_ = 0;
+  merge_ = {};
+  done_.clear();
+}
+
+/// Begins the next stage if the parts of this one are merged. False only if that failed.
+bool Coordinator::advance(Diagnostics& diagnostics) {
+  if (is_complete_ || !is_stage_done()) return true;
+  constexpr std::size_t MostTasks = 1'000'000;
+  std::optional<transport::Film> film;
+  if (stage_end_ > 0) film = merge_.film();
+  const auto stage = next_stage(job_.job->settings, stage_end_, film ? &*film : nullptr);
+  is_complete_ = !stage;
+  if (is_complete_) return true;
+  const auto number = static_cast<int>(tasks_.size());
+  const TaskLimits limits{settings_.part_seconds, farm_.largest_message() * 9 / 10};
+  StageTasks tasks{stage->end, stage->starts_over ? number : image_begin_,
+                   divide(*stage, number, seconds_per_sample_, limits)};
+  if (tasks_.size() + tasks.tasks.size() > MostTasks) {
+    diagnostics.error({}, fmt::format("the image has {} parts, more than a farm can hold: make them longer "
+                                      "(--part-seconds)",
+                                      tasks.tasks.size()));
+    return false;
+  }
+  if (!was_written(ledger_->append(json_of(tasks)) && ledger_->sync(), diagnostics)) return false;
+  take_stage(std::move(tasks));
+  return true;
+}
+
+/// Advances, and gives the tasks of the next stage to workers. False only if that failed in the ledger.
+bool Coordinator::advance_on_farm(Diagnostics& diagnostics) {
+  const std::size_t before = tasks_.size();
+  if (!advance(diagnostics)) return false;
+  if (tasks_.size() == before) return true;
+  farm_.clear_tasks(info_.id);  // of what was given twice, or starts over
+  farm_.put_tasks(info_.id, missing());
+  last_given_ = Clock::now();
+  return true;
+}
+
 std::vector<Task> Coordinator::missing() const {
   std::vector<Task> tasks;
-  for (int number = 0; std::cmp_less(number, tasks_.size()); ++number) {
-    if (!done_.contains(number)) tasks.push_back({number, tasks_[static_cast<std::size_t>(number)]});
+  for (auto number = static_cast<std::size_t>(image_begin_); number < tasks_.size(); ++number) {
+    if (!done_.contains(static_cast<int>(number))) tasks.push_back(tasks_[number]);
   }
   return tasks;
 }
@@ -215,7 +266,6 @@ bool Coordinator::run(const std::function<void(const Progress&)>& show, Diagnost
   constexpr milliseconds Wait{100};
   start_ = Clock::now();
   done_before_ = done_.size();
-  progress_.parts = static_cast<int>(tasks_.size());
   std::optional<Subscription> results;
   while (!is_complete() && !is_stopped_) {
     if (!results) results = farm_.results(info_.id);
@@ -227,10 +277,12 @@ bool Coordinator::run(const std::function<void(const Progress&)>& show, Diagnost
     }
     if (!messages.empty() && !was_written(ledger_->sync(), diagnostics)) return false;
     for (const Message& message : messages) message.acknowledge();
+    if (!advance_on_farm(diagnostics)) return false;
     if (Clock::now() >= next_check_) {
       if (!check_farm(diagnostics)) return false;
       next_check_ = Clock::now() + CheckInterval;
     }
+    progress_.parts = static_cast<int>(tasks_.size()) - image_begin_;
     progress_.parts_done = static_cast<int>(done_.size());
     show(progress_);
   }
@@ -242,20 +294,21 @@ std::string Coordinator::defect_of(const SamplePart& part, const Task& task) con
   const transport::RenderSettings& settings = job_.job->settings;
   if (part.fingerprint != info_.fingerprint) return "it is of another image";
   if (std::cmp_not_equal(part.width, settings.width) || std::cmp_not_equal(part.height, settings.height) ||
-      std::cmp_not_equal(part.image_samples, settings.samples) || part.is_adaptive != 0) {
+      std::cmp_not_equal(part.image_samples, settings.samples) ||
+      (part.is_adaptive != 0) != settings.is_adaptive()) {
     return "it has another size";
   }
-  const std::vector<transport::FilmTile::Counts> counts(part.tiles.size(),
-                                                        transport::uniform_counts(settings.samples));
-  const auto wanted = transport::samples_of(task.part, counts);
+  std::vector<transport::TileSamples> wanted(part.tiles.size());
+  std::ranges::copy(task.samples, wanted.begin() + task.first_tile);
   for (std::size_t tile = 0; tile < part.tiles.size(); ++tile) {
-    for (std::size_t half = 0; half < counts[tile].size(); ++half) {
+    for (std::size_t half = 0; half < wanted[tile].first.size(); ++half) {
       transport::SampleIntervals samples;
       const transport::SampleInterval own{wanted[tile].first[half], wanted[tile].end[half]};
       if (own.end > own.first) samples = {own};
       if (part.tiles[tile].samples[half] != samples) return "it has other samples";
+      const double spread = part.tiles[tile].spreads[half];
+      if (task.is_pilot ? !(spread >= 0) : spread != 0) return "its pilot is impossible";
     }
-    if (part.tiles[tile].spreads != std::array<double, 2>()) return "it has a pilot";
   }
   const bool has_time = part.totals.seconds >= 0 && part.totals.seconds < 1e9;  // false for NaN
   return has_time && part.description.empty() ? "" : "its totals are impossible";
@@ -263,14 +316,13 @@ std::string Coordinator::defect_of(const SamplePart& part, const Task& task) con
 
 /// Takes a part that a worker brought. False only if the ledger failed.
 bool Coordinator::take(const Result& result, Diagnostics& diagnostics) {
-  if (dropped_.contains(result.worker)) return true;
+  const bool is_replaced = result.task < image_begin_;  // with its stage
+  if (is_replaced || dropped_.contains(result.worker)) return true;
   Diagnostics of_part;
   auto part = transport::parse_part(std::string(result.bytes), "part", of_part);
   const bool is_task = std::cmp_less(result.task, tasks_.size());
   std::string defect = "it is no part file, or is damaged";
-  if (part && is_task) {
-    defect = defect_of(*part, {result.task, tasks_[static_cast<std::size_t>(result.task)]});
-  }
+  if (part && is_task) defect = defect_of(*part, tasks_[static_cast<std::size_t>(result.task)]);
   if (!defect.empty()) return drop(result.worker, fmt::format("of a part, {}", defect), diagnostics);
   const transport::Digest digest = transport::digest_of(*part);
   if (done_.contains(result.task)) return take_repeated(result, digest, diagnostics);
@@ -304,9 +356,13 @@ bool Coordinator::drop(const std::string& worker, const std::string& why, Diagno
   if (!was_written(ledger_->append(record.dump()), diagnostics)) return false;
   std::vector<Task> again;
   for (const auto& [task, done] : done_) {
-    if (done.worker == worker) again.push_back({task, tasks_[static_cast<std::size_t>(task)]});
+    if (done.worker == worker) again.push_back(tasks_[static_cast<std::size_t>(task)]);
   }
   if (!again.empty() && !rebuild(diagnostics)) return false;
+  if (lacks_earlier_stage()) {
+    start_over();
+    return true;
+  }
   farm_.put_tasks(info_.id, again);
   return true;
 }
@@ -353,7 +409,10 @@ void Coordinator::update_progress() {
   const double seconds = seconds_since(start_);
   const double rate = static_cast<double>(done_.size() - std::min(done_before_, done_.size())) / seconds;
   progress_.seconds_left.reset();
-  if (rate > 0) progress_.seconds_left = static_cast<double>(tasks_.size() - done_.size()) / rate;
+  // How many stages there are before a target error is not known.
+  if (rate > 0 && stage_end_ == job_.job->settings.samples) {
+    progress_.seconds_left = static_cast<double>(progress_.parts - progress_.parts_done) / rate;
+  }
   if (Clock::now() >= next_count_) {
     const auto start = Clock::now();
     const auto workers = farm_.workers().value_or(std::vector<WorkerInfo>());

@@ -29,8 +29,9 @@ struct CoordinatorSettings {
   double lease_seconds = 20;  ///< after which a part is given to another worker, if its own is silent
 };
 
-/// Renders a job on a farm. The ledger is the truth: it has each part that was merged. The farm's queue only
-/// says who works on what; a part that lacks is given again, and any valid part is taken whoever brings it.
+/// Renders a job on a farm, stage by stage. The ledger is the truth: it has each part that was merged. The
+/// farm's queue only says who works on what; a part that lacks is given again, and any valid part is taken
+/// whoever brings it.
 class Coordinator {
  public:
   /// All must outlive the coordinator.
@@ -47,7 +48,7 @@ class Coordinator {
   /// Makes `run` return soon. Safe to call from another thread.
   void stop();
 
-  bool is_complete() const { return done_.size() == tasks_.size(); }
+  bool is_complete() const { return is_complete_; }
   /// The sum of the parts.
   const transport::PartMerge& merge() const { return merge_; }
   const JobInfo& info() const { return info_; }
@@ -71,6 +72,12 @@ class Coordinator {
   bool was_written(bool is_written, grf::Diagnostics& diagnostics) const;
   bool begin_ledger(grf::Diagnostics& diagnostics);
   bool rebuild(grf::Diagnostics& diagnostics);
+  void take_stage(StageTasks stage);
+  bool is_stage_done() const;
+  bool lacks_earlier_stage() const;
+  void start_over();
+  bool advance(grf::Diagnostics& diagnostics);
+  bool advance_on_farm(grf::Diagnostics& diagnostics);
   std::vector<Task> missing() const;
   bool put_on_farm();
   bool take(const Result& result, grf::Diagnostics& diagnostics);
@@ -86,8 +93,13 @@ class Coordinator {
   CoordinatorSettings settings_;
   JobInfo info_;
   std::string_view job_file_;
-  std::vector<transport::ImagePart> tasks_;
-  std::map<int, Done> done_;  ///< by task
+  double seconds_per_sample_ = 0;
+  std::vector<Task> tasks_;  ///< of all stages, by number
+  int image_begin_ = 0;      ///< the first task whose samples are in the image: earlier stages were replaced
+  int stage_begin_ = 0;      ///< the first task of the latest stage
+  int stage_end_ = 0;        ///< as in Stage; 0 before the first one
+  bool is_complete_ = false;
+  std::map<int, Done> done_;  ///< by task, from `image_begin_` on
   std::set<std::string> dropped_;
   std::optional<Ledger> ledger_;
   transport::PartMerge merge_;

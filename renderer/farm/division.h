@@ -1,10 +1,11 @@
-// An image is divided into tasks for the machines of a farm.
+// A stage of an image is divided into tasks for the machines of a farm.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-#include "renderer/transport/image_part.h"
+#include "renderer/farm/records.h"
+#include "renderer/farm/stages.h"
 
 namespace farm {
 
@@ -17,10 +18,11 @@ struct TaskLimits {
 /// Returns the bytes of a part file that has samples of one of this many tiles.
 std::size_t tile_bytes(int tiles);
 
-/// Divides an image with this many samples per pixel, each of which takes so many seconds of one thread. A
-/// task has all samples of consecutive tiles, as its part file has a size for each tile that it has samples
-/// of; or, where that takes too long, some samples of one tile. Tasks together have each sample once.
-std::vector<transport::ImagePart> divide(int width, int height, int samples, double seconds_per_sample,
-                                         const TaskLimits& limits);
+/// Divides a stage, each sample of which takes so many seconds of one thread, into tasks with numbers from
+/// `first_number`. A task has all samples of consecutive tiles, as its part file has a size for each tile
+/// that it has samples of; or, where that takes too long, some samples of one tile, unless it is a pilot.
+/// Tasks together have each sample once.
+std::vector<Task> divide(const Stage& stage, int first_number, double seconds_per_sample,
+                         const TaskLimits& limits);
 
 }  // namespace farm

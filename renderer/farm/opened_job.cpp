@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/farm/stages.h"
 #include "renderer/job/job_file.h"
 #include "renderer/job/render_fingerprint.h"
 #include "renderer/options/op_file.h"
@@ -27,12 +28,12 @@ void forget_outputs(RenderOptions& render_options) {
 bool can_divide(const RenderOptions& render_options, Diagnostics& diagnostics) {
   const auto refuse = [&](std::string_view key, std::string_view why) {
     diagnostics.error(render_options.locations.of(key),
-                      fmt::format("a farm renders images with a number of samples: {}", why));
+                      fmt::format("a farm renders the same image as any machine: {}", why));
     return false;
   };
-  if (render_options.target_error) return refuse("BPT_TargetError", "a target error has none");
-  if (render_options.max_seconds) return refuse("BPT_MaxTime", "a time limit has none");
-  if (render_options.adaptive) return refuse("BPT_Adaptive", "adaptive sampling places them only later");
+  if (render_options.max_seconds) {
+    return refuse("BPT_MaxTime", "with a time limit, it would depend on the machines (see BPT_TargetError)");
+  }
   if (render_options.frames != 1) return refuse("BPT_Frames", "give each frame on its own (BPT_Frame)");
   return true;
 }
@@ -65,10 +66,28 @@ std::unique_ptr<OpenedJob> open_job(const std::string& path, Diagnostics& diagno
   return opened;
 }
 
-std::optional<transport::SamplePart> RunningRenders::run(const OpenedJob& job,
-                                                         const transport::ImagePart& part) {
+std::optional<transport::SamplePart> RunningRenders::run(const OpenedJob& job, const Task& task) {
   transport::RenderSettings settings = job.job->settings;
-  settings.part = part;
+  const auto end = task.samples.size() + static_cast<std::size_t>(task.first_tile);
+  settings.part = transport::ImagePart{.first_tile = task.first_tile, .end_tile = static_cast<int>(end)};
+  if (!task.is_pilot) {
+    settings.part_samples.resize(static_cast<std::size_t>(tile_count_of(settings)));
+    std::ranges::copy(task.samples, settings.part_samples.begin() + task.first_tile);
+  }
+  return run(job, std::move(settings));
+}
+
+std::optional<transport::SamplePart> RunningRenders::run_probe(const OpenedJob& job,
+                                                               const transport::ImagePart& probe) {
+  transport::RenderSettings settings = job.job->settings;
+  settings.adaptive = false;
+  settings.part = probe;
+  return run(job, std::move(settings));
+}
+
+std::optional<transport::SamplePart> RunningRenders::run(const OpenedJob& job,
+                                                         transport::RenderSettings settings) {
+  settings.target_error.reset();  // the coordinator compares the whole image with it
   transport::Render render(job.job->scene, settings);
   {
     const std::lock_guard lock(lock_);

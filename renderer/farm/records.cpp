@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -81,6 +82,32 @@ ImagePart part_in(const json& object) {
   return part;
 }
 
+/// The numbers of samples are a list for each tile: the first and the end of one half, and of the other.
+json object_of(const Task& task) {
+  auto samples = json::array();
+  for (const transport::TileSamples& own : task.samples) {
+    samples.push_back({own.first[0], own.end[0], own.first[1], own.end[1]});
+  }
+  return {{"number", task.number},
+          {"first_tile", task.first_tile},
+          {"samples", std::move(samples)},
+          {"is_pilot", task.is_pilot}};
+}
+
+Task task_in(const json& object) {
+  Task task{
+      count_in(object, "number"), count_in(object, "first_tile"), {}, object.at("is_pilot").get<bool>()};
+  for (const auto& numbers : object.at("samples").get<std::vector<std::array<std::int64_t, 4>>>()) {
+    for (const std::int64_t number : numbers) require(number >= 0 && number <= ImagePart::All);
+    require(numbers[0] <= numbers[1] && numbers[2] <= numbers[3]);
+    const auto at = [&](std::size_t i) { return static_cast<std::uint32_t>(numbers[i]); };
+    task.samples.push_back({{at(0), at(2)}, {at(1), at(3)}});
+  }
+  require(!task.samples.empty() &&
+          std::cmp_less_equal(task.samples.size(), ImagePart::All - task.first_tile));
+  return task;
+}
+
 /// Reads a record by a function that may throw; empty if it did.
 template <class Read>
 auto read(std::string_view text, const Read& of_object) -> std::optional<decltype(of_object(json()))> {
@@ -148,13 +175,21 @@ std::optional<JobInfo> job_info_of(std::string_view text) {
   });
 }
 
-std::string json_of(const Task& task) {
-  return text_of({{"number", task.number}, {"part", object_of(task.part)}});
+std::string json_of(const Task& task) { return text_of(object_of(task)); }
+
+std::optional<Task> task_of(std::string_view text) { return read(text, task_in); }
+
+std::string json_of(const StageTasks& stage) {
+  auto tasks = json::array();
+  for (const Task& task : stage.tasks) tasks.push_back(object_of(task));
+  return text_of({{"end", stage.end}, {"image_begin", stage.image_begin}, {"tasks", std::move(tasks)}});
 }
 
-std::optional<Task> task_of(std::string_view text) {
+std::optional<StageTasks> stage_tasks_of(std::string_view text) {
   return read(text, [](const json& object) {
-    return Task{count_in(object, "number"), part_in(object.at("part"))};
+    StageTasks stage{count_in(object, "end"), count_in(object, "image_begin"), {}};
+    for (const json& task : object.at("tasks")) stage.tasks.push_back(task_in(task));
+    return stage;
   });
 }
 

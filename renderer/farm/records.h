@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "renderer/transport/checkpoint_frame.h"
 #include "renderer/transport/image_part.h"
@@ -35,10 +36,19 @@ struct JobInfo {
   double lease_seconds = 0;
 };
 
-/// A part of a job that is to be rendered.
+/// Samples of a job that are to be rendered together.
 struct Task {
   int number = 0;
-  transport::ImagePart part;
+  int first_tile = 0;                           ///< in the order of Film
+  std::vector<transport::TileSamples> samples;  ///< of this tile and of those that follow it; not empty
+  bool is_pilot = false;                        ///< whether they are the pilot of an adaptive image
+};
+
+/// The tasks of a stage of a job, which its ledger has.
+struct StageTasks {
+  int end = 0;          ///< as in Stage
+  int image_begin = 0;  ///< the number of the first task whose samples are those of the image
+  std::vector<Task> tasks;
 };
 
 /// How far a job is.
@@ -74,6 +84,8 @@ std::string json_of(const JobInfo& job);
 std::optional<JobInfo> job_info_of(std::string_view json);
 std::string json_of(const Task& task);
 std::optional<Task> task_of(std::string_view json);
+std::string json_of(const StageTasks& stage);
+std::optional<StageTasks> stage_tasks_of(std::string_view json);
 std::string json_of(const Progress& progress);
 std::optional<Progress> progress_of(std::string_view json);
 std::string json_of(const WorkerInfo& worker);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "renderer/farm/stages.h"
 #include "renderer/parallel/loops.h"
 
 namespace farm {
@@ -21,6 +22,11 @@ constexpr milliseconds SignInterval{2000};
 
 /// The first digits of a digest, for messages.
 std::string short_name(const transport::Digest& digest) { return transport::hex(digest).substr(0, 12); }
+
+bool has_tiles_of(const OpenedJob& job, const Task& task) {
+  const auto end = task.samples.size() + static_cast<std::size_t>(task.first_tile);
+  return std::cmp_less_equal(end, tile_count_of(job.job->settings));
+}
 
 }  // namespace
 
@@ -151,7 +157,7 @@ std::string Worker::load(const JobInfo& info) {
                        short_name(info.fingerprint.program), info.version, short_name(own.program));
   }
   if (own != info.fingerprint) return "its scene or its options differ from what its description says";
-  const auto probe = renders_->run(*opened_, info.probe);
+  const auto probe = renders_->run_probe(*opened_, info.probe);
   if (!probe) return "";
   if (transport::digest_of(*probe) != info.probe_digest) {
     return fmt::format(
@@ -174,7 +180,7 @@ void Worker::work_on_tasks(const JobInfo& info) {
       if (messages.empty() && is_idle()) return;
       if (messages.empty()) continue;
       const auto task = task_of(messages.front().data());
-      if (!task) {
+      if (!task || !has_tiles_of(*opened_, *task)) {
         messages.front().acknowledge();  // nobody could read it
       } else if (!render(info, messages.front(), *task)) {
         return;
@@ -197,7 +203,7 @@ bool Worker::render(const JobInfo& info, const Message& message, const Task& tas
     const std::lock_guard lock(lock_);
     in_work_.push_back(&message);
   }
-  const auto part = renders_->run(*opened_, task.part);
+  const auto part = renders_->run(*opened_, task);
   bool is_sent = false;
   if (part) {
     const std::string bytes = transport::bytes_of(*part);

@@ -44,6 +44,8 @@ std::vector<TileSamples> samples_of(const ImagePart& part, const std::vector<Fil
   return samples;
 }
 
-bool has_pilot_of(const ImagePart& part, int tile) { return tile % part.count == part.index; }
+bool has_pilot_of(const ImagePart& part, int tile) {
+  return tile >= part.first_tile && tile < part.end_tile && tile % part.count == part.index;
+}
 
 }  // namespace transport

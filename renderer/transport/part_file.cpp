@@ -147,7 +147,7 @@ SamplePart part_of(const Render& render, const Fingerprint& fingerprint, int ima
   part.totals = render.totals();
   part.image_samples = static_cast<std::uint32_t>(image_samples);
   part.is_adaptive = settings.is_adaptive() ? 1 : 0;
-  const bool is_of_pilot = part.is_adaptive != 0 && !settings.pilot;
+  const bool is_of_pilot = part.is_adaptive != 0 && settings.part_samples.empty();
   part.parts = {{settings.part.value_or(ImagePart()), is_of_pilot ? 1U : 0U}};
   part.tiles.resize(static_cast<std::size_t>(render.film().tile_count()));
   FilmTile tile;

@@ -37,6 +37,17 @@ std::vector<bool> tiles_of_probe(const Film& film, int count) {
 
 }  // namespace
 
+int stage_end(const RenderSettings& settings, int samples) {
+  const bool checks_error = settings.target_error || settings.probe;
+  int end = settings.samples;
+  if (settings.is_adaptive() && samples <= Pilot) {
+    end = samples <= Pilot / 2 ? Pilot / 2 : Pilot;
+  } else if (checks_error || (settings.is_adaptive() && settings.samples == RenderSettings::Unlimited)) {
+    end = error_check_from(samples);
+  }
+  return std::min(end, settings.samples);
+}
+
 Render::Render(const CompiledScene& scene, const RenderSettings& settings)
     : scene_(scene),
       settings_(settings),
@@ -57,18 +68,15 @@ Render::Render(const CompiledScene& scene, const RenderSettings& settings)
 /// Chooses the samples of the part that the settings ask for.
 void Render::take_part() {
   const ImagePart& part = *settings_.part;
-  if (is_adaptive() && !settings_.pilot) {
+  if (is_adaptive() && settings_.part_samples.empty()) {
     settings_.samples = std::min(settings_.samples, Pilot);
     for (int tile = 0; tile < film_.tile_count(); ++tile) {
       is_rendered_[static_cast<std::size_t>(tile)] = has_pilot_of(part, tile);
     }
     return;
   }
-  const FilmTile::Counts done = settings_.pilot ? uniform_counts(Pilot) : FilmTile::Counts();
-  const std::vector<FilmTile::Counts> counts =
-      settings_.pilot ? AdaptiveSampling(*settings_.pilot).counts(settings_.samples)
-                      : counts_at(settings_.samples);
-  part_samples_ = samples_of(part, counts, done);
+  part_samples_ = settings_.part_samples.empty() ? samples_of(part, counts_at(settings_.samples))
+                                                 : settings_.part_samples;
   for (std::size_t tile = 0; tile < part_samples_.size(); ++tile) {
     is_rendered_[tile] = part_samples_[tile].end != part_samples_[tile].first;
   }
@@ -118,13 +126,7 @@ RenderEnd Render::run_stages() {
 
 /// Returns where the next stage ends, at no fewer than this many samples.
 int Render::stage_from(int samples) const {
-  int end = settings_.samples;
-  if (is_adaptive() && samples <= Pilot) {
-    end = samples <= Pilot / 2 ? Pilot / 2 : Pilot;
-  } else if (checks_error() || (is_adaptive() && settings_.samples == RenderSettings::Unlimited)) {
-    end = error_check_from(samples);
-  }
-  return std::min(end, settings_.samples);
+  return part_samples_.empty() ? stage_end(settings_, samples) : settings_.samples;
 }
 
 bool Render::has_pilot() const {

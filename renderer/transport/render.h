@@ -55,9 +55,10 @@ struct RenderSettings {
   std::optional<double> max_seconds;  ///< stops after this time, with the samples so far
   std::optional<ProbeSettings> probe;
   /// Only these samples are rendered. Of an adaptive image, they are samples of the pilot, of whole tiles,
-  /// unless `pilot` has it.
+  /// unless `part_samples` has those that follow it.
   std::optional<ImagePart> part;
-  std::shared_ptr<const Film> pilot;  ///< of all tiles, for a part of an adaptive image
+  /// The samples of each tile that the part has; empty if they follow from `part`.
+  std::vector<TileSamples> part_samples;
   PixelSampling pixel_sampling = PixelSampling::Sobol;
   int grid_columns = 1;  ///< for a regular placing; the rows follow from the samples
   SamplePattern pattern = SamplePattern::Sobol;
@@ -67,6 +68,10 @@ struct RenderSettings {
   /// Whether samples are placed adaptively.
   bool is_adaptive() const { return adaptive && pixel_sampling == PixelSampling::Sobol; }
 };
+
+/// Returns where the stage of a whole image ends that begins with this many samples per pixel or fewer. After
+/// a stage, the render decides how it goes on: whether its error is small enough, and where samples go.
+int stage_end(const RenderSettings& settings, int samples);
 
 /// Totals of an image so far, over all runs if it was resumed.
 struct RenderTotals {

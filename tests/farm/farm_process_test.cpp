@@ -221,13 +221,14 @@ class Impostor {
   }
 
   farm::Task next_task() const {
-    const auto messages = farm_->tasks(job_.id)->fetch(1, std::chrono::seconds(10));
+    const auto tasks = farm_->tasks(job_.id);  // messages are acknowledged while it is there
+    const auto messages = tasks->fetch(1, std::chrono::seconds(10));
     EXPECT_EQ(messages.size(), 1U);
-    messages.front().acknowledge();
-    return farm::task_of(messages.front().data()).value();
+    messages.at(0).acknowledge();
+    return farm::task_of(messages.at(0).data()).value();
   }
   transport::SamplePart part_of(const farm::Task& task) {
-    auto part = renders_.run(*opened_, task.part).value();
+    auto part = renders_.run(*opened_, task).value();
     part.fingerprint = job_.fingerprint;  // the test is another program than bpt
     return part;
   }
@@ -251,8 +252,7 @@ TEST_F(Farm, DropsWorkersThatSendNonsense) {
   std::string altered = right;
   altered[altered.size() / 2] = static_cast<char>(altered[altered.size() / 2] ^ 1);
   farm::Task other = task;
-  other.part.first_tile += 1;
-  other.part.end_tile += 1;
+  other.first_tile += 1;
   const std::vector<std::pair<std::string, std::string>> nonsense = {
       {"00000000000000a0", ""},
       {"00000000000000a1", "nonsense"},
@@ -263,7 +263,7 @@ TEST_F(Farm, DropsWorkersThatSendNonsense) {
     impostor.send(worker, task, bytes);
     EXPECT_TRUE(rendering.wait_for("worker " + worker + " was dropped")) << rendering.output();
   }
-  impostor.send("00000000000000a5", {1 << 30, task.part}, right);  // no such task
+  impostor.send("00000000000000a5", {1 << 30, task.first_tile, task.samples}, right);  // no such task
   EXPECT_TRUE(rendering.wait_for("worker 00000000000000a5 was dropped")) << rendering.output();
   EXPECT_FALSE(has_parts(rendering, 1));
   const Process worker = work();
@@ -289,6 +289,95 @@ TEST_F(Farm, DropsWorkersWhoseValuesAreWrong) {
   EXPECT_FALSE(rendering.has_printed("00000000000000b1 was dropped"));
   const Process worker = work();
   expect_image(rendering);
+}
+
+/// An image whose samples follow from those before, so that it has stages.
+class StagedFarm : public test::FarmTest {
+ protected:
+  void expect_image(Process& render, const std::string& expected) const {
+    EXPECT_EQ(render.wait(), 0) << render.output();
+    EXPECT_EQ(digest_of_file(path("farm.pfm")), expected);
+    EXPECT_FALSE(std::filesystem::exists(path("farm.pfm.ledger")));
+  }
+};
+
+class StagedFarmOf : public StagedFarm, public testing::WithParamInterface<std::pair<int, const char*>> {};
+
+TEST_P(StagedFarmOf, HasTheImageOfOneProcess) {
+  const auto& [samples, options] = GetParam();
+  const std::string scene = this->scene(samples, options);
+  const std::string expected = digest_of_one_process(scene);
+  const Process server = serve();
+  const std::vector<Process> workers = [&] {
+    std::vector<Process> two;
+    two.push_back(work());
+    two.push_back(work());
+    return two;
+  }();
+  Process rendering = render(scene);
+  expect_image(rendering, expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, StagedFarmOf,
+                         testing::Values(std::pair(100, "BPT_Adaptive true\n"),
+                                         std::pair(32, "BPT_Adaptive true\n"),
+                                         std::pair(21, "BPT_Adaptive true\n"),
+                                         std::pair(4096, "BPT_TargetError 0.04\n"),
+                                         std::pair(9, "BPT_TargetError 0.0001\n"),
+                                         std::pair(4096, "BPT_TargetError 0.04\nBPT_Adaptive true\n"),
+                                         std::pair(4096, "BPT_TargetError 0.5\nBPT_Adaptive true\n")));
+
+TEST_F(StagedFarm, EndsAtItsTargetError) {
+  const std::string scene = this->scene(100'000, "BPT_TargetError 0.05\n");
+  const Process server = serve();
+  const Process worker = work();
+  const Outcome outcome = farm({"render", scene, "-o", path("farm.pfm"), "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json summary = json::parse(outcome.out);
+  EXPECT_LE(summary["estimated_error"].get<double>(), 0.05);
+  EXPECT_LT(summary["samples"].get<double>(), 100'000);
+}
+
+TEST_F(StagedFarm, ResumesInALaterStage) {
+  const std::string scene = this->scene(1500, "BPT_Adaptive true\n");
+  const std::string expected = digest_of_one_process(scene);
+  const Process server = serve();
+  Process rendering = render(scene);
+  std::optional<Process> worker = work();
+  // The pilot's 32 samples of 1500 are few parts.
+  const auto is_beyond_pilot = [&] {
+    const std::string output = rendering.output();
+    const std::size_t last = output.rfind("\"parts\":");
+    return last != std::string::npos && std::stoi(output.substr(last + 8)) > 40 && has_parts(rendering, 20);
+  };
+  ASSERT_TRUE(test::wait_until(is_beyond_pilot)) << rendering.output();
+  worker->kill_and_wait();
+  rendering.kill_and_wait();
+  ASSERT_TRUE(std::filesystem::exists(path("farm.pfm.ledger")));
+  worker = work();
+  Process resumed = render(scene);
+  expect_image(resumed, expected);
+}
+
+// Where the samples of an adaptive image go follows from its pilot: with a wrong one, all of them are wrong.
+TEST_F(StagedFarm, StartsOverIfThePilotWasWrong) {
+  const std::string scene = this->scene(64, "BPT_Adaptive true\n");
+  const std::string expected = digest_of_one_process(scene);
+  const Process server = serve();
+  Process rendering = render(scene);
+  Impostor impostor(url_, path(""));
+  const farm::Task first = impostor.next_task();
+  transport::SamplePart wrong = impostor.part_of(first);
+  const std::string right = bytes_of(wrong);
+  wrong.tiles[static_cast<std::size_t>(first.first_tile)].spreads[0] += 1;
+  impostor.send("00000000000000c0", first, bytes_of(wrong));
+  for (farm::Task task = impostor.next_task(); task.is_pilot; task = impostor.next_task()) {
+    impostor.send("00000000000000c1", task, bytes_of(impostor.part_of(task)));
+  }
+  impostor.send("00000000000000c1", first, right);
+  EXPECT_TRUE(rendering.wait_for("worker 00000000000000c0 was dropped")) << rendering.output();
+  const Process worker = work();
+  expect_image(rendering, expected);
 }
 
 }  // namespace

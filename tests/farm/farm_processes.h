@@ -132,14 +132,14 @@ class FarmTest : public testing::Test {
 
   std::string path(const std::string& name) const { return folder_.path(name); }
 
-  std::string scene(int samples) const {
+  std::string scene(int samples, const std::string& options = "") const {
     folder_.add("scene.grf",
                 "begin mesh brdf diffuse kd=0.6\n"
                 "begin vertexs (-2,0,-2) (2,0,-2) (2,0,2) (-2,0,2) (-1,0,0) (1,0,0) (0,2,0) end vertexs\n"
                 "begin faces (0,3,2,1) (4,5,6) end faces end mesh\n"
                 "light begin (-1,3,-1) (2,0,0) (0,0,2) end\n");
     return folder_.add("scene.op", "BPT_Scene scene.grf\nBPT_Image_Resolution 64 64\nBPT_Samples " +
-                                       std::to_string(samples) + "\n");
+                                       std::to_string(samples) + "\n" + options);
   }
 
   /// Renders the picture by one process, and returns the digest of its pixels: the reference of all others.

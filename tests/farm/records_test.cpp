@@ -36,6 +36,25 @@ TEST(Records, OfJobsAreRead) {
   EXPECT_EQ(json_of(*again), json_of(*job));
 }
 
+TEST(Records, OfTasksAreRead) {
+  const auto task =
+      task_of(R"({"number":7,"first_tile":5,"is_pilot":true,"samples":[[0,16,1,17],[2,18,3,19]]})");
+  ASSERT_TRUE(task);
+  EXPECT_EQ(task->number, 7);
+  EXPECT_EQ(task->first_tile, 5);
+  EXPECT_TRUE(task->is_pilot);
+  ASSERT_EQ(task->samples.size(), 2U);
+  EXPECT_EQ(task->samples[0].end, (transport::FilmTile::Counts{16, 17}));
+  EXPECT_EQ(task->samples[1].first, (transport::FilmTile::Counts{2, 3}));
+  const farm::StageTasks stage{64, 3, {*task, *task}};
+  const auto again = farm::stage_tasks_of(json_of(stage));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->end, 64);
+  EXPECT_EQ(again->image_begin, 3);
+  ASSERT_EQ(again->tasks.size(), 2U);
+  EXPECT_EQ(json_of(again->tasks[1]), json_of(*task));
+}
+
 // Identifiers and digests become names of files and subjects.
 TEST(Records, WithNamesThatLeadElsewhereAreRefused) {
   for (const char* id : {"../../etc/passwd", "0123456789ABCDEF", "0123456789abcde", "0123456789abcde.", ""}) {
@@ -48,17 +67,27 @@ TEST(Records, WithValuesOutOfTheirRangesAreRefused) {
   for (const char* bytes : {"0", "-1", "1e99", "17179869185", "\"77\"", "null", "[]"}) {
     EXPECT_FALSE(job_info_of(job_json("0123456789abcdef", bytes, digits('a')))) << bytes;
   }
-  const std::string part = R"("first_sample":0,"end_sample":2,"first_tile":0,"end_tile":1)";
-  EXPECT_TRUE(task_of(R"({"number":3,"part":{)" + part + R"(,"index":0,"count":1}})"));
-  EXPECT_FALSE(task_of(R"({"number":-3,"part":{)" + part + R"(,"index":0,"count":1}})"));
-  EXPECT_FALSE(task_of(R"({"number":3000000000,"part":{)" + part + R"(,"index":0,"count":1}})"));
-  EXPECT_FALSE(task_of(R"({"number":3,"part":{)" + part + R"(,"index":1,"count":1}})"));
-  EXPECT_FALSE(task_of(R"({"number":3,"part":{)" + part + R"(,"index":0}})"));
-  EXPECT_FALSE(task_of(R"({"number":3,"part":[0,2,0,1,0,1]})"));
-  const std::string no_samples = R"("first_sample":2,"end_sample":2,"first_tile":0,"end_tile":1)";
-  EXPECT_FALSE(task_of(R"({"number":3,"part":{)" + no_samples + R"(,"index":0,"count":1}})"));
+  const auto task = [](const std::string& number, const std::string& tile, const std::string& samples) {
+    return task_of(R"({"number":)" + number + R"(,"first_tile":)" + tile + R"(,"is_pilot":false,"samples":)" +
+                   samples + "}");
+  };
+  EXPECT_TRUE(task("3", "0", "[[0,2,0,1]]"));
+  EXPECT_TRUE(task("3", "0", "[[2,2,1,1]]")) << "a tile without samples";
+  EXPECT_FALSE(task("-3", "0", "[[0,2,0,1]]"));
+  EXPECT_FALSE(task("3000000000", "0", "[[0,2,0,1]]"));
+  EXPECT_FALSE(task("3", "-1", "[[0,2,0,1]]"));
+  EXPECT_FALSE(task("3", "2147483647", "[[0,2,0,1],[0,2,0,1]]")) << "the last tile has a number, too";
+  EXPECT_FALSE(task("3", "0", "[[2,1,0,1]]"));
+  EXPECT_FALSE(task("3", "0", "[[0,1,2,1]]"));
+  EXPECT_FALSE(task("3", "0", "[[-1,2,0,1]]"));
+  EXPECT_FALSE(task("3", "0", "[[0,3000000000,0,1]]"));
+  EXPECT_FALSE(task("3", "0", "[[0,2,0]]"));
+  EXPECT_FALSE(task("3", "0", "[]"));
+  EXPECT_FALSE(task("3", "0", "5"));
+  EXPECT_FALSE(task_of(R"({"number":3,"first_tile":0,"samples":[[0,2,0,1]]})"));
   for (const char* nonsense : {"", "{", "null", "3", "[]", "{}", "\xFF\xFE"}) {
     EXPECT_FALSE(task_of(nonsense)) << nonsense;
+    EXPECT_FALSE(farm::stage_tasks_of(nonsense)) << nonsense;
     EXPECT_FALSE(job_info_of(nonsense)) << nonsense;
     EXPECT_FALSE(farm::progress_of(nonsense)) << nonsense;
     EXPECT_FALSE(farm::worker_info_of(nonsense)) << nonsense;

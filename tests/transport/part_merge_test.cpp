@@ -140,8 +140,13 @@ TEST_F(Parts, OfAdaptiveImagesFollowTheirPilot) {
   const PartMerge pilot = merged(paths);
   ASSERT_TRUE(pilot.has_whole_pilot());
   EXPECT_EQ(pilot.missing(), std::vector<ImagePart>{ImagePart()}) << "all that follows the pilot";
-  adaptive.pilot = std::make_shared<transport::Film>(pilot.film());
-  for (int index = 0; index < 4; ++index) paths.push_back(rendered(adaptive, {.index = index, .count = 4}));
+  const auto counts = transport::AdaptiveSampling(pilot.film()).counts(adaptive.samples);
+  for (int index = 0; index < 4; ++index) {
+    const ImagePart part = {.index = index, .count = 4};
+    adaptive.part_samples = transport::samples_of(
+        part, counts, transport::uniform_counts(transport::AdaptiveSampling::PilotSamples));
+    paths.push_back(rendered(adaptive, part));
+  }
   std::shuffle(paths.begin(), paths.end(), std::mt19937(7));
   RenderSettings whole = settings(64);
   whole.adaptive = true;
