@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -183,6 +184,13 @@ class FarmTest : public testing::Test {
     std::vector<std::string> words = with_access(arguments);
     words.insert(words.begin(), {Bpt, "farm"});
     return run(words);
+  }
+  /// Waits for a render to end, whose image then has this digest.
+  void expect_image(Process& render, const std::string& digest,
+                    const std::string& output = "farm.pfm") const {
+    EXPECT_EQ(render.wait(), 0) << render.output();
+    EXPECT_EQ(digest_of_file(path(output)), digest);
+    EXPECT_FALSE(std::filesystem::exists(path(output + ".ledger")));
   }
   static bool has_parts(const Process& render, int count) {
     const std::string output = render.output();
