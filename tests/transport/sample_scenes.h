@@ -46,18 +46,6 @@ inline SampleScene sample_scene(const std::string& op_path,
   return {op_path, std::move(*compiled), settings};
 }
 
-/// Returns all OP files whose scenes need no generated files.
-inline std::vector<std::string> sample_op_files() {
-  std::vector<std::string> paths;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(samples_folder())) {
-    const bool is_whole = !needs_made_files(entry.path());
-    if (entry.path().extension() == ".op" && is_whole) paths.push_back(entry.path().string());
-  }
-  if (paths.size() < 5) throw std::runtime_error("there are too few sample scenes");
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 /// Returns the test name of an OP file: FOLDER_NAME.
 inline std::string name_of(const std::filesystem::path& op_file) {
   return op_file.parent_path().filename().string() + "_" + op_file.stem().string();

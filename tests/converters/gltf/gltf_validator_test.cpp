@@ -1,6 +1,5 @@
 // Tests that written files have no error in the Khronos Group's validator, an npm package.
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,10 +12,10 @@
 #include "grf/read.h"
 #include "grf/relocate.h"
 #include "grf/write.h"
+#include "tests/converters/npm.h"
 #include "tests/converters/reading.h"
 #include "tests/grf/scene_generator.h"
 #include "tests/support/paths.h"
-#include "tests/support/run.h"
 
 namespace convert {
 namespace {
@@ -25,9 +24,9 @@ using nlohmann::json;
 
 // The first image takes the place of images that are missing: generated scenes have names alone.
 constexpr std::string_view Script = R"(
-const validator = require('gltf-validator');
-const fs = require('fs');
-const path = require('path');
+import validator from 'gltf-validator';
+import fs from 'node:fs';
+import path from 'node:path';
 const [image, list] = process.argv.slice(2);
 const read = (file) => new Uint8Array(fs.readFileSync(file));
 const beside = async (file, uri) => {
@@ -48,37 +47,14 @@ all().catch((problem) => { console.error(problem); process.exit(1); });
 
 const std::string Image = "/usr/share/assimp/models/glTF2/BoxTextured-glTF/CesiumLogoFlat.png";
 
-/// What npm says where it cannot reach a registry.
-bool is_unreachable(const std::string& text) {
-  for (const char* code :
-       {"ENOTFOUND", "EAI_AGAIN", "ECONNREFUSED", "ECONNRESET", "ENETUNREACH", "ETIMEDOUT"}) {
-    if (text.find(code) != std::string::npos) return true;
-  }
-  return false;
-}
-
-/// The validator, installed in the folder of the build.
-class GltfValidator : public testing::Test {
+class GltfValidator : public NpmTest {
  protected:
-  void SetUp() override {
-    const std::string package = GRANADA_BIN_DIR "/gltf_validator";
-    const test::Outcome installed = test::run({"/bin/sh", "-c",
-                                               "mkdir -p '" + package + "' && cd '" + package +
-                                                   "' && flock lock npm install --no-audit --no-fund "
-                                                   "--loglevel=error gltf-validator@2.0.0-dev.3.10"});
-    if (is_unreachable(installed.err)) GTEST_SKIP() << "npm reaches no registry: " << installed.err;
-    ASSERT_EQ(installed.exit_code, 0) << installed.err;
-    script_ = package + "/" + std::filesystem::path(folder_.path()).filename().string() + ".js";
-    std::ofstream(script_) << Script;
-  }
-
-  void TearDown() override { std::filesystem::remove(script_); }
+  GltfValidator() : NpmTest({"gltf-validator@2.0.0-dev.3.10"}) {}
 
   void expect_no_errors(const std::vector<std::string>& files) {
     std::string list;
     for (const std::string& file : files) list += file + '\n';
-    const test::Outcome outcome =
-        test::run({"/usr/bin/env", "node", script_, Image, folder_.add("list", list)});
+    const test::Outcome outcome = run_program(Script, {Image, folder_.add("list", list)});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json reports = json::parse(outcome.out);
     ASSERT_EQ(reports.size(), files.size());
@@ -93,9 +69,6 @@ class GltfValidator : public testing::Test {
       ASSERT_TRUE(find_format(extension)->write(scene, files.back(), diagnostics)) << diagnostics.to_text();
     }
   }
-
-  const test::TemporaryFolder folder_;
-  std::string script_;
 };
 
 TEST_F(GltfValidator, FindsNoErrorInWhatIsWrittenOfGrf) {

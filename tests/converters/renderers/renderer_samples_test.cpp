@@ -1,6 +1,5 @@
 // Every sample scene is exported for both renderers, and what is written passes their parsers: a few in each
 // run, and all in a long one.
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,15 +13,13 @@
 #include "tests/converters/reading.h"
 #include "tests/converters/renderers/mitsuba_scene.h"
 #include "tests/converters/renderers/pbrt_scene.h"
-#include "tests/support/paths.h"
+#include "tests/support/samples.h"
 #include "tests/support/thoroughness.h"
 
 namespace convert {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::string Samples = std::string(GRANADA_SOURCE_DIR) + "/samples";
 
 /// Scenes of which only few BRDFs are tabulated, or of simple models: those of a run that is not long.
 bool is_quick(const fs::path& path) {
@@ -31,20 +28,9 @@ bool is_quick(const fs::path& path) {
          path.stem() == "cube_measured" || path.stem() == "dragon";
 }
 
-/// Scenes with files that are downloaded, or made by a study that takes long.
-bool lacks_files(const fs::path& path) {
-  const std::string folder = path.parent_path().filename().string();
-  return folder == "bunny" || (folder == "thesis" && (path.stem() == "dragon" || path.stem() == "measured"));
-}
-
 std::vector<std::string> sample_files() {
-  std::vector<std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(Samples)) {
-    const fs::path& path = entry.path();
-    if (path.extension() != ".op" || lacks_files(path)) continue;
-    if (test::tries_all() || is_quick(path)) files.push_back(path.string());
-  }
-  std::sort(files.begin(), files.end());
+  std::vector<std::string> files = test::sample_op_files();
+  if (!test::tries_all()) std::erase_if(files, [](const std::string& file) { return !is_quick(file); });
   return files;
 }
 
@@ -88,7 +74,7 @@ TEST_P(SampleScenes, AreExportedForRenderers) {
 }
 
 std::string name_of(const testing::TestParamInfo<std::string>& info) {
-  std::string name = fs::relative(info.param, Samples).string();
+  std::string name = fs::relative(info.param, test::samples_folder()).string();
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   }

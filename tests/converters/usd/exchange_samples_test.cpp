@@ -1,8 +1,6 @@
 // Every sample scene is written as USD and MaterialX, and what is written passes their parsers.
-#include <algorithm>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -11,31 +9,13 @@
 #include "renderer/options/op_file.h"
 #include "tests/converters/usd/mtlx_document.h"
 #include "tests/converters/usd/usda_stage.h"
-#include "tests/support/paths.h"
+#include "tests/support/samples.h"
 #include "tests/support/temporary_folder.h"
 
 namespace convert {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::string SampleScenes = std::string(GRANADA_SOURCE_DIR) + "/samples";
-
-/// Scenes with files that are downloaded, or made by a study that takes long.
-bool is_incomplete_sample(const fs::path& path) {
-  const std::string folder = path.parent_path().filename().string();
-  return folder == "bunny" || (folder == "thesis" && (path.stem() == "dragon" || path.stem() == "measured"));
-}
-
-std::vector<std::string> exchanged_samples() {
-  std::vector<std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(SampleScenes)) {
-    if (entry.path().extension() == ".op" && !is_incomplete_sample(entry.path()))
-      files.push_back(entry.path().string());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 class ExchangedSamples : public testing::TestWithParam<std::string> {};
 
@@ -71,14 +51,14 @@ TEST_P(ExchangedSamples, AreWritten) {
 }
 
 std::string name_of_sample(const testing::TestParamInfo<std::string>& info) {
-  std::string name = fs::relative(info.param, SampleScenes).string();
+  std::string name = fs::relative(info.param, test::samples_folder()).string();
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   }
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ExchangedSamples, testing::ValuesIn(exchanged_samples()), name_of_sample);
+INSTANTIATE_TEST_SUITE_P(All, ExchangedSamples, testing::ValuesIn(test::sample_op_files()), name_of_sample);
 
 }  // namespace
 }  // namespace convert

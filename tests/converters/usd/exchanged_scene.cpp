@@ -29,8 +29,10 @@ void ExchangedScene::write(const std::string& grf, const std::string& op) {
     warnings = diagnostics.to_text();
     return test::bytes_of(path);
   };
-  usd_ = test::parse_usda(written("usd", folder_.path("out.usda"), usd_warnings_), folder_.path());
-  mtlx_ = test::parse_mtlx(written("materialx", folder_.path("out.mtlx"), mtlx_warnings_));
+  usd_text_ = written("usd", folder_.path("out.usda"), usd_warnings_);
+  mtlx_text_ = written("materialx", folder_.path("out.mtlx"), mtlx_warnings_);
+  usd_ = test::parse_usda(usd_text_, folder_.path());
+  mtlx_ = test::parse_mtlx(mtlx_text_);
 }
 
 std::string exchange_cube(const std::string& attributes, const std::vector<std::string>& of_faces) {

@@ -19,6 +19,8 @@ class ExchangedScene {
 
   const test::UsdaStage& usd() const { return usd_; }
   const test::MtlxDocument& mtlx() const { return mtlx_; }
+  const std::string& usd_text() const { return usd_text_; }
+  const std::string& mtlx_text() const { return mtlx_text_; }
   const std::string& usd_warnings() const { return usd_warnings_; }
   const std::string& mtlx_warnings() const { return mtlx_warnings_; }
 
@@ -28,6 +30,8 @@ class ExchangedScene {
   test::TemporaryFolder folder_;
   test::UsdaStage usd_;
   test::MtlxDocument mtlx_;
+  std::string usd_text_;
+  std::string mtlx_text_;
   std::string usd_warnings_;
   std::string mtlx_warnings_;
 };
