@@ -1,4 +1,4 @@
-// The conversion of other formats' materials to GRF's, decided only here (FORMATS.md shows the tables).
+// Materials of other formats are converted to GRF's by these rules alone (FORMATS.md shows the tables).
 #pragma once
 
 #include <optional>

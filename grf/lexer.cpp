@@ -41,7 +41,7 @@ Token Lexer::next() {
   return token;
 }
 
-/// Scans this many tokens behind the next one, and returns the last of them.
+/// Scans this many tokens after the next one, and returns the last of them.
 Token Lexer::scan_ahead(int count) {
   const char* position = position_;
   const char* line_begin = line_begin_;
@@ -87,8 +87,8 @@ bool Lexer::take_numbers(std::span<float> numbers) {
     // from_chars also accepts `nan` and `inf`, which GRF does not.
     const bool is_number = digits != end_ && (is_digit(*digits) || *digits == '.');
     if (count == numbers.size() || !is_number) return nullptr;
-    const auto [behind, error] = std::from_chars(first, end_, numbers[count++]);
-    return error == std::errc() ? behind : nullptr;
+    const auto [next, error] = std::from_chars(first, end_, numbers[count++]);
+    return error == std::errc() ? next : nullptr;
   });
   if (end == nullptr || count != numbers.size()) return false;
   go_on_at(end);
@@ -98,8 +98,8 @@ bool Lexer::take_numbers(std::span<float> numbers) {
 bool Lexer::take_indices(std::vector<std::uint32_t>& indices, std::size_t limit) {
   const std::size_t count_before = indices.size();
   const char* end = end_of_list([&](const char* first) -> const char* {
-    const auto [behind, error] = std::from_chars(first, end_, indices.emplace_back());
-    return error == std::errc() && indices.back() < limit ? behind : nullptr;
+    const auto [next, error] = std::from_chars(first, end_, indices.emplace_back());
+    return error == std::errc() && indices.back() < limit ? next : nullptr;
   });
   if (end == nullptr) {
     indices.resize(count_before);

@@ -9,8 +9,8 @@
 
 namespace convert {
 
-/// The lights of a glTF file (KHR_lights_punctual), which have no size. GRF has only area lights, so each
-/// becomes a small mesh that emits and reflects nothing, with the same intensity, in the file's unit of
+/// Converts the lights of a glTF file (KHR_lights_punctual), which have no size. GRF has only area lights, so
+/// each becomes a small mesh that emits and reflects nothing, with the same intensity, in the file's unit of
 /// luminance:
 ///
 /// - A point light is an icosahedron of radius 0.05 m, or 1/200 of the scene's diagonal if that is less. Its

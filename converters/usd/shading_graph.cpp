@@ -139,16 +139,17 @@ std::optional<std::size_t> GraphBuilder::bsdf_of(const grf::BrdfModel& model, bo
   if (!model.terms.empty() || !model.data_file.empty()) return std::nullopt;
   const auto brdf = reflectance::make_brdf(model);
   if (!brdf) return std::nullopt;
-  const auto matte = [&](const Rgb& colour, float roughness, bool keeps_energy) {
+  const auto diffuse_node = [&](const Rgb& colour, float roughness, bool keeps_energy) {
     std::vector<ShadingInput> inputs = {colour_input("color", colour), number_input("roughness", roughness)};
     if (keeps_energy) inputs.push_back({"energy_compensation", "boolean", {1}, {}});
     return add("oren_nayar_diffuse_bsdf", "BSDF", "ND_oren_nayar_diffuse_bsdf", std::move(inputs));
   };
-  if (const auto* diffuse = std::get_if<reflectance::Diffuse>(&*brdf)) return matte(diffuse->kd, 0, false);
-  if (const auto* eon = std::get_if<reflectance::Eon>(&*brdf)) return matte(eon->kd, eon->rough, true);
+  if (const auto* diffuse = std::get_if<reflectance::Diffuse>(&*brdf))
+    return diffuse_node(diffuse->kd, 0, false);
+  if (const auto* eon = std::get_if<reflectance::Eon>(&*brdf)) return diffuse_node(eon->kd, eon->rough, true);
   if (const auto* oren = std::get_if<reflectance::Oren>(&*brdf)) {
     is_exact = is_exact && oren->s == 0;
-    return matte(oren->r, oren->s, false);
+    return diffuse_node(oren->r, oren->s, false);
   }
   if (const auto* sheen = std::get_if<reflectance::Sheen>(&*brdf)) {
     return add("sheen_bsdf", "BSDF", "ND_sheen_bsdf",

@@ -11,8 +11,8 @@ class QMainWindow;
 
 namespace editor {
 
-/// The shortcuts of all entries of a window's menus: the default ones, and those that the user chose, which
-/// are kept in the settings.
+/// Holds the shortcuts of all entries of a window's menus: the default ones, and those that the user chose,
+/// which are kept in the settings.
 class ShortcutKeys {
  public:
   struct Entry {
@@ -25,7 +25,7 @@ class ShortcutKeys {
   explicit ShortcutKeys(const QMainWindow& window);
 
   const std::vector<Entry>& entries() const { return entries_; }
-  /// Another action of the window, or of a control in it, that has the shortcut; null if it is free.
+  /// Returns another action of the window, or of a control in it, that has the shortcut; null if it is free.
   const QAction* other_with(const QKeySequence& keys, const Entry& entry) const;
   /// Sets and stores the shortcuts of an entry; none is allowed.
   void set(const Entry& entry, const QList<QKeySequence>& keys);

@@ -150,7 +150,7 @@ ExitCode farm_render(const FarmRenderArguments& arguments) {
   print(of_run);
   if (!signal_handler.was_signalled()) return ExitCode::BadInput;
   fmt::print(stderr,
-             "interrupted: workers go on, and the same command resumes the work (`bpt farm stop {}` "
+             "interrupted: workers continue, and the same command resumes the work (`bpt farm stop {}` "
              "ends it)\n",
              coordinator->info().id);
   return ExitCode::Interrupted;

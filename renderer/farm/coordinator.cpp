@@ -394,15 +394,15 @@ bool Coordinator::check_farm(Diagnostics& diagnostics) {
 void Coordinator::give_again(const QueueState& state) {
   if (state.waiting > 0) {
     last_given_ = Clock::now();
-    patience_ = 0;
+    retry_seconds_ = 0;
     return;
   }
   const double least = std::min(settings_.lease_seconds, std::max(2 * settings_.part_seconds, 1.0));
-  patience_ = std::max(patience_, least);
-  if (seconds_since(last_given_) < patience_) return;
+  retry_seconds_ = std::max(retry_seconds_, least);
+  if (seconds_since(last_given_) < retry_seconds_) return;
   farm_.put_tasks(info_.id, missing());
   last_given_ = Clock::now();
-  patience_ *= 2;
+  retry_seconds_ *= 2;
 }
 
 void Coordinator::update_progress() {

@@ -114,7 +114,7 @@ class Coordinator {
   Clock::time_point next_count_;
   Clock::time_point next_estimate_;
   Clock::time_point last_given_;  ///< when tasks were put on the farm, or nothing waited there any more
-  double patience_ = 0;           ///< seconds until what is late is given again
+  double retry_seconds_ = 0;      ///< seconds until what is late is given again
 };
 
 }  // namespace farm

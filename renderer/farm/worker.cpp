@@ -57,12 +57,12 @@ bool Worker::run() {
       continue;
     }
     pause = Pause;
-    const std::string refusal = work_for(*job);
-    if (refusal.empty()) continue;
-    refused_[job->id] = refusal;
-    say_(fmt::format("refused {} ({}): {}", job->id, job->name, refusal));
+    const std::string reason = work_for(*job);
+    if (reason.empty()) continue;
+    refused_[job->id] = reason;
+    say_(fmt::format("refused {} ({}): {}", job->id, job->name, reason));
     const std::lock_guard lock(lock_);
-    info_.refused = refusal;
+    info_.refused = reason;
   }
   const bool is_stopped = is_stopped_;
   is_stopped_ = true;
@@ -122,12 +122,12 @@ std::string Worker::work_for(const JobInfo& info) {
     info_.job = info.id;
     extension_interval_ = milliseconds(static_cast<int>(1000 * info.lease_seconds / 3));
   }
-  std::string refusal = loaded_ == info.id ? "" : load(info);
+  std::string reason = loaded_ == info.id ? "" : load(info);
   if (loaded_ == info.id) work_on_tasks(info);
-  if (refusal.empty()) refusal = farm_.why_dropped(info.id, info_.id).value_or("");
+  if (reason.empty()) reason = farm_.why_dropped(info.id, info_.id).value_or("");
   const std::lock_guard lock(lock_);
   info_.job.clear();
-  return refusal;
+  return reason;
 }
 
 /// Fetches and reads a job, and renders its probe. Returns why it is refused, or an empty text; it is not

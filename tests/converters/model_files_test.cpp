@@ -54,7 +54,7 @@ TEST(ModelFiles, AreOfTheFormatThatTheirNameSaysIfItSaysOne) {
   for (const auto& [path, times] : uses_of_files()) {
     grf::Diagnostics diagnostics;
     const Format* of_name = read_format_of_name(path);
-    // XML of COLLADA, made to be told by its content.
+    // XML of COLLADA, made to be detected from its content.
     if (of_name == nullptr || path.ends_with("Collada/AsXML.xml")) continue;
     EXPECT_EQ(recognise(path, diagnostics)->name, of_name->name) << path;
   }

@@ -16,8 +16,8 @@ using namespace std::chrono_literals;
 /// A barrier at which threads wait until the expected number has arrived, with a timeout.
 class MeetingPlace {
  public:
-  explicit MeetingPlace(std::size_t expected, std::chrono::milliseconds patience)
-      : expected_(expected), end_(std::chrono::steady_clock::now() + patience) {}
+  explicit MeetingPlace(std::size_t expected, std::chrono::milliseconds timeout)
+      : expected_(expected), end_(std::chrono::steady_clock::now() + timeout) {}
 
   void come() {
     std::unique_lock lock(lock_);
@@ -39,8 +39,8 @@ class MeetingPlace {
 };
 
 /// Counts the threads that take part in a job's loops; waits for `expected` ones.
-std::size_t threads_of_job(int threads, std::size_t expected, std::chrono::milliseconds patience) {
-  MeetingPlace place(expected, patience);
+std::size_t threads_of_job(int threads, std::size_t expected, std::chrono::milliseconds timeout) {
+  MeetingPlace place(expected, timeout);
   parallel::run_with_threads(threads, [&] { parallel::for_each_index(100, [&](int) { place.come(); }); });
   return place.present();
 }

@@ -88,7 +88,7 @@ TEST(Chart, HasPlaceForWhatIsNotThere) {
   const double far = std::numeric_limits<double>::infinity();
   const auto lines = test::lines(
       drawn(chart_of({}, {"f", true, {}, {}, 0}, {{0, 1}, {1, 0}, {2, -1}, {3, none}, {4, far}, {5, 10}})));
-  ASSERT_EQ(lines.at(0).size(), 4U) << "only what is no number is left out";
+  ASSERT_EQ(lines.at(0).size(), 4U) << "only NaN is left out";
   EXPECT_GT(lines.at(0)[1].y, 1000) << "far under the axis";
   EXPECT_EQ(test::lines(drawn(chart_of({}, {}, {{1, 1}, {1, 1}}))).at(0).front(),
             test::lines(drawn(chart_of({}, {}, {{1, 1}}))).at(0).front())

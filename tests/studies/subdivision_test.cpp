@@ -111,7 +111,7 @@ TEST(Subdivision, AWayEndsInTheCellOfItsPoint) {
       ASSERT_TRUE(index);
       seen.insert(*index);
       const Cell& cell = tree.cells()[*index];
-      const auto way = tree.way_to(x, y);
+      const auto way = tree.path_to(x, y);
       ASSERT_EQ(way.size(), static_cast<std::size_t>(cell.depth) + 1);
       EXPECT_EQ(way.front().probability, 1);
       double mass = 1;

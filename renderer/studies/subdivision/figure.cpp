@@ -149,7 +149,7 @@ void draw_way(const SubdivisionSubject& subject, plot::Svg& svg) {
   constexpr double LabelAt = TreePlace.corner.x + TreePlace.width + 16;
   const SampledPoint* sample = shown_sample(subject);
   if (sample == nullptr) return;
-  std::vector<Subdivision::Step> steps = subject.tree.way_to(sample->direction.x, sample->direction.y);
+  std::vector<Subdivision::Step> steps = subject.tree.path_to(sample->direction.x, sample->direction.y);
   const auto shown = static_cast<std::size_t>(std::lround(subject.settings.step)) + 1;
   const bool is_whole = shown >= steps.size();
   if (!is_whole) steps.resize(shown);

@@ -105,7 +105,7 @@ std::optional<std::size_t> Subdivision::cell_at(double x, double y) const {
   return cell_of_node_[static_cast<std::size_t>(leaf - tree_.nodes().data())];
 }
 
-std::vector<Subdivision::Step> Subdivision::way_to(double x, double y) const {
+std::vector<Subdivision::Step> Subdivision::path_to(double x, double y) const {
   std::vector<Step> steps;
   descend(to_tree(x, y), [&](const RejectionTree::Node& node, const CellRange& range,
                              const RejectionTree::Node* parent) {

@@ -54,7 +54,7 @@ class Subdivision {
   std::optional<std::size_t> cell_at(double x, double y) const;
 
   /// Returns the nodes from the root to the leaf of a point of the unit disc.
-  std::vector<Step> way_to(double x, double y) const;
+  std::vector<Step> path_to(double x, double y) const;
 
   /// Returns the corners of a node's square in the surface's frame, in a circle.
   std::array<plot::Point, 4> corners(const reflectance::CellRange& range) const;

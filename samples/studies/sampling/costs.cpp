@@ -70,8 +70,8 @@ double nanoseconds(const Technique& technique, const Brdf& valued, int rounds) {
 TableCost table_cost(const Brdf& brdf, const std::string& scheme, int builds) {
   TableCost cost{std::numeric_limits<double>::infinity(), 0};
   double total = 0;
-  constexpr double Patience = 5;  // seconds, after which one more build tells little
-  for (int i = 0; i < builds && total < Patience; ++i) {
+  constexpr double MostSeconds = 5;  // seconds, after which one more build tells little
+  for (int i = 0; i < builds && total < MostSeconds; ++i) {
     reflectance::Scheme made = scheme_of(scheme);
     cost.seconds = std::min(cost.seconds, seconds_of([&] { reflectance::build(made, brdf); }));
     cost.bytes = reflectance::bytes(made);

@@ -87,7 +87,7 @@ grf::Scene through_grf(const grf::Scene& scene, const test::TemporaryFolder& fol
   return again.value_or(grf::Scene());
 }
 
-/// Any float but infinities and what is no number.
+/// Any float but infinities and NaN.
 rc::Gen<float> any_float() {
   return rc::gen::map(rc::gen::arbitrary<std::uint32_t>(), [](std::uint32_t bits) {
     const auto number = std::bit_cast<float>(bits);

@@ -96,7 +96,7 @@ TEST(ChildProcess, ReturnsByItselfWhereItUnderstandsTheRequest) {
   EXPECT_EQ(heard.ends[0].code, 3);
 }
 
-TEST(ChildProcess, IsEndedOnceItsPatienceIsOver) {
+TEST(ChildProcess, IsEndedAfterItsTimeout) {
   ChildProcess child({.terminate_timeout = 200});
   Heard heard(child);
   start_shell(child, "trap '' TERM; echo ready; while :; do sleep 0.05; done");

@@ -33,7 +33,7 @@ using reflectance::Rgb;
 using reflectance::Vec3f;
 using testing::HasSubstr;
 
-constexpr int Patience = 60000;
+constexpr int Timeout = 60000;
 
 std::string brdfs(const std::string& a, const std::string& b = "diffuse") {
   return "\nbrdf " + a + "\nbrdf " + b + "\n";
@@ -51,7 +51,7 @@ class ShownViewer {
     settle();
   }
   void settle() {
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !window.is_busy(); }, Patience))
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !window.is_busy(); }, Timeout))
         << window.notice().text().toStdString();
   }
   /// The light of a pixel, by the GPU and by the CPU.
@@ -65,7 +65,7 @@ class ShownViewer {
           last = probed.last()[0].value<PixelProbe>();
           return last.pixel == at;
         },
-        Patience));
+        Timeout));
     return last;
   }
   QPoint middle() { return window.view().rect().center(); }

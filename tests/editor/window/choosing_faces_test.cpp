@@ -164,7 +164,7 @@ TEST_F(ChoosingFaces, PolygonSelectsInside) {
   const auto click_corners = [this](std::initializer_list<std::pair<double, double>> corners) {
     for (const auto& [x, y] : corners) click(x, y);
   };
-  // An L of three faces, with a wrong corner that is taken back.
+  // An L of three faces, with a wrong corner that is undone.
   click_corners({{2.1, 2.1}, {3.9, 2.1}, {3.9, 2.9}, {9, 9}});
   EXPECT_THAT(selected(), IsEmpty()) << "until it is closed";
   QTest::keyClick(&view(), Qt::Key_Backspace);
