@@ -11,6 +11,7 @@
 #include "converters/material_rule.h"
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
+#include "renderer/options/render_options.h"
 
 namespace convert {
 
@@ -34,6 +35,8 @@ struct Import {
   grf::Scene scene;
   std::vector<EmbeddedFile> files;
   bool is_grf = false;  ///< whether the scene is exactly one of GRF, also if it was embedded in another file
+  std::vector<options::NamedCamera> cameras =
+      {};  ///< of the file, in the scene's world, with different names
 };
 
 /// Options of writing, for formats that take them.

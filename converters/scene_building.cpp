@@ -13,6 +13,8 @@
 
 #include "converters/text_encoding.h"
 #include "grf/keywords.h"
+#include "grf/vertex_tree.h"
+#include "grf/visit.h"
 #include "grf/write.h"
 
 namespace convert {
@@ -170,6 +172,16 @@ std::vector<grf::TransformStep> transform_steps(const Matrix44d& matrix) {
   append_linear_part(steps, matrix);
   append(steps, Kind::Translation, grf::Vec3f(matrix.translation()));
   return steps;
+}
+
+grf::Box3d bounds_of(const grf::Scene& scene) {
+  grf::Box3d bounds;
+  grf::SceneVisitor visitor;
+  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
+    bounds.extendBy(mesh.geometry.vertices().bounds_under(placement.to_world));
+  };
+  grf::visit(scene, visitor);
+  return bounds;
 }
 
 void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<grf::Mesh>&)>& action) {

@@ -24,6 +24,9 @@ std::vector<grf::Block> placed(std::vector<grf::Block> blocks, const grf::Matrix
 /// else rotation, scale, rotation and translation (a singular value decomposition), so that shears are kept.
 std::vector<grf::TransformStep> transform_steps(const grf::Matrix44d& matrix);
 
+/// Returns the bounds of the meshes of a scene, except in included files.
+grf::Box3d bounds_of(const grf::Scene& scene);
+
 /// Calls a function for each mesh and mesh light of the blocks and of their definitions, except in included
 /// files.
 void for_each_mesh(grf::BlockList& list, const std::function<void(grf::Shared<grf::Mesh>&)>& action);

@@ -12,6 +12,7 @@
 
 #include "converters/embedded_files.h"
 #include "converters/grf2008.h"
+#include "converters/losses.h"
 #include "converters/mesh_operations/scene_placement.h"
 #include "converters/scene_building.h"
 #include "converters/wording.h"
@@ -21,6 +22,7 @@
 #include "grf/visit.h"
 #include "renderer/image/image.h"
 #include "renderer/options/op_file.h"
+#include "renderer/options/op_text.h"
 
 namespace convert {
 namespace {
@@ -29,6 +31,14 @@ std::string writable_formats() {
   std::string names;
   for (const Format& format : formats()) {
     if (format.write != nullptr) names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
+  }
+  return names;
+}
+
+std::string formats_with_views() {
+  std::string names;
+  for (const Format& format : formats()) {
+    if (format.write_view != nullptr) names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
   }
   return names;
 }
@@ -141,6 +151,52 @@ std::optional<ConvertOptions> with_scene_of_op_file(ConvertOptions options, grf:
   return options;
 }
 
+/// Writes an OP file that renders a scene, with its cameras: the first one renders.
+bool write_op_file(const std::string& path, const std::string& scene,
+                   const std::vector<options::NamedCamera>& cameras, grf::Diagnostics& diagnostics) {
+  options::OpText text;
+  const auto set = [&](std::string_view key, const std::vector<std::string>& words) {
+    const auto& table = options::option_table();
+    const auto option = std::ranges::find(table, key, &options::OptionInfo::key);
+    return text.set(*option, words);
+  };
+  std::vector<std::string> words;
+  for (const options::NamedCamera& camera : cameras) {
+    words.push_back(camera.name);
+    for (const grf::Vec3f& v : {camera.eye, camera.target, camera.up}) {
+      for (const float x : {v.x, v.y, v.z}) words.push_back(fmt::format("{}", x));
+    }
+    for (const float x : {camera.field_of_view, camera.lens_radius, camera.focus_distance})
+      words.push_back(fmt::format("{}", x));
+  }
+  bool can_write = set("BPT_Scene", {std::filesystem::path(scene).filename().string()});
+  if (!cameras.empty()) can_write &= set("BPT_Cameras", words) && set("BPT_Camera", {cameras.front().name});
+  if (can_write) return grf::replace_file(path, text.text(), diagnostics);
+  diagnostics.error(grf::whole_file(path), "an OP file cannot have this name of a scene");
+  return false;
+}
+
+/// Reports that cameras have no place in the output, and what keeps them.
+void report_cameras(std::size_t count, const ConvertOptions& options, grf::Diagnostics& diagnostics) {
+  if (count == 0) return;
+  Losses losses;
+  losses.add(Loss::Camera, count);
+  losses.report(grf::whole_file(options.input.path), diagnostics);
+  diagnostics.note(grf::whole_file(options.input.path),
+                   "the output NAME.op has cameras, and NAME.grf beside it the scene");
+}
+
+/// Moves cameras with the scene.
+void place_cameras(const std::vector<grf::TransformStep>& steps, std::vector<options::NamedCamera>& cameras) {
+  const grf::Matrix44d matrix = grf::matrix_of(steps);
+  for (options::NamedCamera& camera : cameras) {
+    for (grf::Vec3f* point : {&camera.eye, &camera.target}) *point = grf::Vec3f(grf::Vec3d(*point) * matrix);
+    grf::Vec3d up;
+    matrix.multDirMatrix(grf::Vec3d(camera.up), up);
+    camera.up = grf::Vec3f(up.normalized());
+  }
+}
+
 struct Counts {
   std::size_t meshes = 0;
   std::size_t faces = 0;
@@ -183,6 +239,7 @@ void print_record(const ConvertOptions& options, const Counts& counts, const Wri
 }  // namespace
 
 const Format* output_format(const ConvertOptions& options) {
+  if (options.output_format == nullptr && is_op_file(options.output)) return find_format("grf");
   return options.output_format != nullptr ? options.output_format : format_of_name(options.output);
 }
 
@@ -201,8 +258,11 @@ std::string problem_of(const ConvertOptions& options) {
   }
   const bool has_view = !options.writing.op_file.empty() || is_op_file(options.input.path);
   if (has_view && format->write_view == nullptr) {
-    return fmt::format("OP files are for scenes of renderers (usd, pbrt, mitsuba), and this is {}",
-                       format->name);
+    return fmt::format("an OP file cannot become {}; the formats that take one are {}", format->name,
+                       formats_with_views());
+  }
+  if (is_op_file(options.output) && format->name != "grf") {
+    return fmt::format("an OP file renders a GRF file, and this is {}", format->name);
   }
   return {};
 }
@@ -216,7 +276,12 @@ ExitCode convert_file(const ConvertOptions& given) {
     print(diagnostics, given.quiet);
     return ExitCode::BadInput;
   }
-  const ConvertOptions& options = *resolved;
+  ConvertOptions options = *resolved;
+  const std::string op_output = is_op_file(options.output) ? options.output : "";
+  if (!op_output.empty()) {
+    options.output_format = output_format(options);
+    options.output = std::filesystem::path(op_output).replace_extension(".grf").string();
+  }
   auto input = read_input(options.input, diagnostics);
   if (input && input->format != output_format(options) && is_same_file(options.input.path, options.output)) {
     return bad_command_line(
@@ -226,10 +291,17 @@ ExitCode convert_file(const ConvertOptions& given) {
   Counts counts;
   if (input) {
     const std::vector<EmbeddedFile> embedded = std::move(input->import.files);
+    std::vector<options::NamedCamera> cameras = std::move(input->import.cameras);
+    place_cameras(options.placement, cameras);
+    if (op_output.empty()) report_cameras(cameras.size(), options, diagnostics);
     grf::Scene scene = changed(std::move(input->import), options, diagnostics);
     counts = counts_of(scene);
     const auto write = options.dry_run ? &try_to_write_all : &write_all;
     if (diagnostics.error_count() == 0) files = write(scene, embedded, options, diagnostics);
+    if (files && !op_output.empty() && !options.dry_run) {
+      files->paths.push_back(op_output);
+      if (!write_op_file(op_output, options.output, cameras, diagnostics)) files.reset();
+    }
   }
   print(diagnostics, options.quiet);
   if (!files) return ExitCode::BadInput;

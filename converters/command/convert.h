@@ -30,7 +30,8 @@ const Format* output_format(const ConvertOptions& options);
 /// Validates the options, whatever the input is: returns an error message, or an empty string.
 std::string problem_of(const ConvertOptions& options);
 
-/// Whether a file is an OP file, by its name: the input is the scene that it names, with its view.
+/// Whether a file is an OP file, by its name: the input is the scene that it names, with its view; the output
+/// has the cameras of the input, and renders a GRF file of the same name beside it.
 bool is_op_file(const std::string& path);
 
 /// Runs `grfconvert IN -o OUT` with valid options: nothing is written unless all of the input could be read.

@@ -33,9 +33,10 @@ Format common() {
   format.keeps =
       "all of a scene that came from GRF (in extras); else polygons as triangles, shared vertices, normals, "
       "texture coordinates, vertex colours, textures, names, transforms, instances, materials with clear "
-      "coats, sheen and anisotropy, emission, opacity";
+      "coats, sheen and anisotropy, emission, opacity, perspective cameras (those of OP files)";
   format.loses =
-      "maps other than of the base colour, transmission, points, lines, cameras, cones of spot lights, "
+      "maps other than of the base colour, transmission, points, lines, other cameras, lenses, cones of spot "
+      "lights, "
       "animations; for other programs: BRDFs that are not metallic-roughness, sampling schemes, irradiance";
   format.read_materials = gltf_material_rules();
   format.written_materials = gltf_material_writer_rules();
@@ -50,7 +51,10 @@ Format gltf_format() {
   format.title = "glTF 2 as JSON, with a .bin file beside it";
   format.extensions = {"gltf"};
   format.sniff = is_gltf;
-  format.write = write_gltf;
+  format.write = [](const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) {
+    return write_gltf(scene, path, {}, diagnostics);
+  };
+  format.write_view = write_gltf;
   return format;
 }
 
@@ -61,7 +65,10 @@ Format glb_format() {
   format.extensions = {"glb"};
   format.sniff = is_glb;
   format.embeds_images = true;
-  format.write = write_glb;
+  format.write = [](const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) {
+    return write_glb(scene, path, {}, diagnostics);
+  };
+  format.write_view = write_glb;
   return format;
 }
 

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "converters/gltf/gltf_accessors.h"
+#include "converters/gltf/gltf_cameras.h"
 #include "converters/gltf/gltf_grf.h"
 #include "converters/gltf/gltf_images.h"
 #include "converters/gltf/gltf_lights.h"
@@ -43,16 +44,6 @@ struct Shape {
   std::string name;  ///< name of the definition; empty: its mesh has no faces
 };
 
-grf::Box3d bounds_of(const grf::Scene& scene) {
-  grf::Box3d bounds;
-  grf::SceneVisitor visitor;
-  visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
-    bounds.extendBy(mesh.geometry.vertices().bounds_under(placement.to_world));
-  };
-  grf::visit(scene, visitor);
-  return bounds;
-}
-
 class SceneReader {
  public:
   SceneReader(const GltfFile& file, GltfAccessors& accessors, GltfImages& images,
@@ -65,7 +56,8 @@ class SceneReader {
         nodes_(file, accessors),
         lights_(file, losses_) {}
 
-  std::optional<grf::Scene> run() {
+  /// Reads the scene and its cameras; nothing after an error.
+  std::optional<Import> run() {
     if (!nodes_.load()) return std::nullopt;
     for (const int root : nodes_.roots()) count_uses(root);
     std::vector<grf::Block> blocks;
@@ -75,15 +67,22 @@ class SceneReader {
       std::move(some->begin(), some->end(), std::back_inserter(blocks));
     }
     std::move(skinned_.begin(), skinned_.end(), std::back_inserter(blocks));
-    report();
-    if (blocks.empty()) return accessors_.fail("the file has no faces, and only faces can be imported");
+    if (blocks.empty()) {
+      report();
+      return accessors_.fail("the file has no faces, and only faces can be imported");
+    }
     std::vector<grf::Definition> definitions = materials_.definitions();
     std::move(shared_.begin(), shared_.end(), std::back_inserter(definitions));
-    if (!lights_.empty()) {
-      auto lights = lights_.blocks(bounds_of(scene_of(definitions, blocks, location_)), location_);
+    Import import;
+    if (!lights_.empty() || !file_.model.cameras.empty()) {
+      const grf::Box3d bounds = bounds_of(scene_of(definitions, blocks, location_));
+      import.cameras = read_cameras(file_, nodes_, bounds, losses_);
+      auto lights = lights_.blocks(bounds, location_);
       std::move(lights.begin(), lights.end(), std::back_inserter(blocks));
     }
-    return scene_of(std::move(definitions), std::move(blocks), location_);
+    report();
+    import.scene = scene_of(std::move(definitions), std::move(blocks), location_);
+    return import;
   }
 
  private:
@@ -107,7 +106,6 @@ class SceneReader {
     const tinygltf::Node& source = node(index);
     if (source.mesh >= 0 && source.skin < 0) ++shapes_[form_of(source)].uses;
     if (source.mesh >= 0) meshes_placed_.insert(source.mesh);
-    if (source.camera >= 0) losses_.add(Loss::Camera);
     if (GltfLights::has_light(source)) lights_.take(source, nodes_.to_scene(index));
     for (const int child : source.children) count_uses(child);
   }
@@ -255,6 +253,17 @@ std::optional<grf::Scene> scene_in_extras(const GltfFile& file, grf::Diagnostics
   return std::nullopt;
 }
 
+/// Reads the cameras of a file whose extras have the scene.
+std::vector<options::NamedCamera> cameras_beside(const grf::Scene& scene, const GltfFile& file) {
+  if (file.model.cameras.empty()) return {};
+  grf::Diagnostics ignored_diagnostics;  // nodes may be deeper than the scene is
+  GltfAccessors accessors(file, ignored_diagnostics);
+  GltfNodes nodes(file, accessors);
+  if (!nodes.load()) return {};
+  Losses losses;
+  return read_cameras(file, nodes, bounds_of(scene), losses);
+}
+
 }  // namespace
 
 std::optional<Import> read_gltf(const std::string& path, const ReadOptions& options,
@@ -265,12 +274,15 @@ std::optional<Import> read_gltf(const std::string& path, const ReadOptions& opti
   GltfImages images(*file, accessors);
   if (!images.load()) return std::nullopt;
   if (file->is_unchanged_grf) {
-    if (auto scene = scene_in_extras(*file, diagnostics))
-      return Import{std::move(*scene), images.take_files(), true};
+    if (auto scene = scene_in_extras(*file, diagnostics)) {
+      Import import{std::move(*scene), images.take_files(), true};
+      import.cameras = cameras_beside(import.scene, *file);
+      return import;
+    }
   }
-  auto scene = SceneReader(*file, accessors, images, diagnostics).run();
-  if (!scene) return std::nullopt;
-  return Import{std::move(*scene), images.take_files()};
+  auto import = SceneReader(*file, accessors, images, diagnostics).run();
+  if (import) import->files = images.take_files();
+  return import;
 }
 
 }  // namespace convert

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "converters/gltf/gltf_cameras.h"
 #include "converters/gltf/gltf_check.h"
 #include "converters/gltf/gltf_document.h"
 #include "converters/gltf/gltf_grf.h"
@@ -29,16 +30,22 @@ constexpr std::size_t LargestFile = 0xFFFFFFFF;
 
 class Writer {
  public:
-  Writer(const grf::Scene& scene, const std::string& path, bool is_binary, grf::Diagnostics& diagnostics)
+  Writer(const grf::Scene& scene, const std::string& path, const WriteOptions& options, bool is_binary,
+         grf::Diagnostics& diagnostics)
       : scene_(grf::flatten(scene, path)),
         path_(path),
+        options_(options),
         is_binary_(is_binary),
         diagnostics_(diagnostics),
         materials_(document_, path_, is_binary, diagnostics) {}
 
   bool run() {
     GltfNodeWriter nodes(document_, materials_);
-    const std::vector<int> roots = nodes.write(scene_.contents);
+    std::vector<int> roots = nodes.write(scene_.contents);
+    const bool has_cameras = !options_.op_file.empty();
+    if (has_cameras && !write_cameras(options_.op_file, bounds_of(scene_), document_, roots, diagnostics_)) {
+      return false;
+    }
     nlohmann::json root = nlohmann::json::object();
     if (!roots.empty()) root["nodes"] = roots;
     document_.append("scenes", std::move(root));
@@ -87,6 +94,7 @@ class Writer {
 
   grf::Scene scene_;
   std::string path_;
+  const WriteOptions& options_;
   bool is_binary_;
   grf::Diagnostics& diagnostics_;
   GltfDocument document_;
@@ -95,12 +103,14 @@ class Writer {
 
 }  // namespace
 
-bool write_gltf(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) {
-  return Writer(scene, path, false, diagnostics).run();
+bool write_gltf(const grf::Scene& scene, const std::string& path, const WriteOptions& options,
+                grf::Diagnostics& diagnostics) {
+  return Writer(scene, path, options, false, diagnostics).run();
 }
 
-bool write_glb(const grf::Scene& scene, const std::string& path, grf::Diagnostics& diagnostics) {
-  return Writer(scene, path, true, diagnostics).run();
+bool write_glb(const grf::Scene& scene, const std::string& path, const WriteOptions& options,
+               grf::Diagnostics& diagnostics) {
+  return Writer(scene, path, options, true, diagnostics).run();
 }
 
 }  // namespace convert

@@ -18,7 +18,6 @@ namespace {
 
 using Ids = std::vector<std::uint32_t>;
 using Rule = EdgeRules::Rule;
-constexpr std::uint32_t InvalidIndex = grf::SharedEdges::InvalidIndex;
 
 /// A mesh at one level, without normals. Identities of vertices are inherited from the previous level:
 /// vertices that coincide by chance are not merged.
@@ -185,7 +184,7 @@ class Refinement {
   void refine(const EdgeRules& rules, const Values& values, Ids& ids, Append append) {
     const auto old = [&](std::uint32_t vertex) { return Value(values[vertex]); };
     const Refined<Value> refined = Masks<Value, decltype(old)>(level_.mesh, rules, scheme_, old).run();
-    std::vector<std::uint32_t> first_at_edge(refined.at_edge.size(), InvalidIndex);
+    std::vector<std::uint32_t> first_at_edge(refined.at_edge.size(), grf::SharedEdges::InvalidIndex);
     for (std::uint32_t i = 0; i < vertex_count(); ++i) {
       if (i >= first_of_faces_) {
         append(refined.at_face[i - first_of_faces_]);
@@ -196,8 +195,8 @@ class Refinement {
       if (i >= first_of_edges_) {
         const std::uint32_t corner = edges_.faces_at(i - first_of_edges_).front().corner;
         const std::uint32_t edge = rules.edges().at_corner(corner);
-        if (edge != InvalidIndex) {
-          if (first_at_edge[edge] == InvalidIndex) first_at_edge[edge] = i;
+        if (edge != grf::SharedEdges::InvalidIndex) {
+          if (first_at_edge[edge] == grf::SharedEdges::InvalidIndex) first_at_edge[edge] = i;
           append(refined.at_edge[edge]);
           ids.push_back(first_at_edge[edge]);
           continue;
@@ -212,7 +211,7 @@ class Refinement {
   /// Returns the new vertex on the edge that begins at a corner.
   std::uint32_t edge_vertex(std::uint32_t corner) const {
     const std::uint32_t edge = edges_.at_corner(corner);
-    return edge == InvalidIndex ? level_.mesh.corners[corner] : first_of_edges_ + edge;
+    return edge == grf::SharedEdges::InvalidIndex ? level_.mesh.corners[corner] : first_of_edges_ + edge;
   }
 
   void cut_polygon(std::size_t face) {

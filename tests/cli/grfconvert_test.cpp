@@ -1,6 +1,7 @@
 // Tests of conversion by `grfconvert`.
 #include "tests/cli/grfconvert.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "converters/scene_building.h"
 #include "grf/read.h"
 #include "grf/summary.h"
+#include "renderer/options/op_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -66,6 +68,46 @@ TEST(Grfconvert, GivesFacesWithoutAMaterialTheBrdfOfTheOption) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.err, IsEmpty());
   EXPECT_THAT(test::bytes_of(output), HasSubstr("brdf ward sx=0.15 ks=0.3\n"));
+}
+
+TEST(Grfconvert, WritesTheCamerasOfAModelAsAnOpFile) {
+  const TemporaryFolder folder;
+  const std::string model = folder.add("m.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
+    "scenes": [{"nodes": [0, 1, 2]}],
+    "nodes": [{"mesh": 0}, {"name": "front", "camera": 0, "translation": [0.5, 0.5, 4]},
+              {"name": "close", "camera": 0, "translation": [0.5, 0.5, 2]}],
+    "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.01}}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
+  const std::string op = folder.path("out.op");
+  const test::Outcome outcome = grfconvert({model, "-o", op, "--unit", "cm", "--up", "z"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, testing::Not(HasSubstr("camera")));
+  grf::Diagnostics diagnostics;
+  const auto view = options::read_op_file(op, diagnostics);
+  ASSERT_TRUE(view.has_value()) << diagnostics.to_text();
+  EXPECT_EQ(view->scene, folder.path("out.grf"));
+  EXPECT_TRUE(grf::read(view->scene, diagnostics).has_value()) << diagnostics.to_text();
+  EXPECT_EQ(view->camera, "front");
+  ASSERT_EQ(view->cameras.size(), 2U);
+  // z up becomes y up: (x, y, z) to (x, z, -y). Centimetres become metres.
+  EXPECT_NEAR(view->cameras[0].eye.x, 0.005, 1e-7);
+  EXPECT_NEAR(view->cameras[0].eye.y, 0.04, 1e-7);
+  EXPECT_NEAR(view->cameras[0].eye.z, -0.005, 1e-7);
+  EXPECT_NEAR(view->cameras[0].up.z, -1, 1e-6);
+  EXPECT_EQ(view->cameras[1].name, "close");
+  EXPECT_NEAR(view->cameras[1].target.y, 0, 1e-7);
+  // In a GRF file there is no place for them.
+  const test::Outcome lost = grfconvert({model, "-o", folder.path("other.grf")});
+  EXPECT_EQ(lost.exit_code, 0);
+  EXPECT_THAT(lost.err, HasSubstr("2 cameras were left out"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("other.op")));
+  const test::Outcome dry = grfconvert({model, "-o", folder.path("dry.op"), "--dry-run"});
+  EXPECT_EQ(dry.exit_code, 0) << dry.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path("dry.op")));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("dry.grf")));
 }
 
 TEST(Grfconvert, QuietPrintsErrorsAlone) {
@@ -212,7 +254,8 @@ TEST(Grfconvert, BadCommandLinesAreToldFromBadInput) {
            {{input, "-o", output, "--unknown"}, "--unknown"},
            {{input, "-o", output, "--options", folder.path("none.op")}, "--options"},
            {{folder.path("view.op"), "-o", output},
-            "OP files are for scenes of renderers (usd, pbrt, mitsuba), and this is grf"},
+            "an OP file cannot become grf; the formats that take one are gltf, glb, usd, materialx, pbrt, "
+            "mitsuba"},
            {{input, input, "-o", folder.path()}, "would both be written to '" + folder.path("t.grf") + "'"},
            {{input, folder.path("b.obj"), "-o", output},
             "several files need an output folder, and '" + output},

@@ -17,6 +17,7 @@ Reading read_path(const std::string& path, const ReadOptions& options) {
     if (auto import = read(*format, path, options, reading.diagnostics)) {
       reading.scene = std::move(import->scene);
       reading.files = std::move(import->files);
+      reading.cameras = std::move(import->cameras);
     }
   }
   return reading;

@@ -17,6 +17,7 @@ namespace convert {
 struct Reading {
   std::optional<grf::Scene> scene;
   std::vector<EmbeddedFile> files;
+  std::vector<options::NamedCamera> cameras;
   grf::Diagnostics diagnostics;
 
   std::string text() const { return diagnostics.to_text(); }

@@ -367,7 +367,8 @@ TEST(Gltf, WhatHasNoPlaceInAGrfSceneIsSaid) {
   GltfMaker maker = GltfMaker::triangle();
   maker.attributes()["_HEAT"] = maker.floats({1, 2, 3}, "SCALAR");
   maker.add_root({{"camera", 0}});
-  maker.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}};
+  maker.json["cameras"] = {
+      {{"type", "orthographic"}, {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 9}, {"znear", 0.1}}}}};
   maker.add_root({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
   maker.json["meshes"].push_back(maker.json["meshes"][0]);
   maker.json["meshes"][1]["name"] = "spare";
