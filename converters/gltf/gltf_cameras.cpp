@@ -126,7 +126,9 @@ bool write_cameras(const std::string& op_file, const grf::Box3d& bounds, GltfDoc
     if (view) nodes.push_back(add_camera(to_utf8(shown), *view, bounds, document));
     return view.has_value();
   };
-  if (!write(rendering, rendering.empty() ? "Camera" : rendering)) return false;
+  // Where an OP file leaves the camera open, others place one as they like.
+  const bool has_own = !rendering.empty() || render_options->eye.has_value();
+  if (has_own && !write(rendering, rendering.empty() ? "Camera" : rendering)) return false;
   return std::ranges::all_of(render_options->cameras, [&](const NamedCamera& camera) {
     return camera.name == rendering || write(camera.name, camera.name);
   });

@@ -7,12 +7,19 @@
 #include "converters/format.h"
 #include "converters/grf2008.h"
 #include "editor/document/document.h"
+#include "editor/document/op_files.h"
 #include "grf/relocate.h"
 
 namespace editor {
 
 ExportRequest export_request(const Document& document) {
-  return {document.scene(), document.path(), document.imports(), {}, nullptr, false};
+  return {document.scene(),
+          document.path(),
+          document.imports(),
+          {},
+          nullptr,
+          false,
+          document.options().valid_options()};
 }
 
 std::vector<const convert::Format*> export_formats() {
@@ -23,6 +30,21 @@ std::vector<const convert::Format*> export_formats() {
   return formats;
 }
 
+namespace {
+
+/// Writes a scene with its view, which a format takes as an OP file.
+void write_view(const grf::Scene& scene, const ExportRequest& request, grf::Diagnostics& diagnostics) {
+  const QTemporaryDir folder;
+  if (!folder.isValid()) return diagnostics.error({}, folder.errorString().toStdString());
+  const QString op_file = folder.filePath("view.op");
+  options::RenderOptions view = request.view;
+  view.scene = request.path.toStdString();
+  if (!write_op_file(view, op_file, diagnostics)) return;
+  request.format->write_view(scene, request.path.toStdString(), {op_file.toStdString()}, diagnostics);
+}
+
+}  // namespace
+
 grf::Diagnostics write(const ExportRequest& request) {
   grf::Diagnostics diagnostics;
   const std::string path = request.path.toStdString();
@@ -30,7 +52,12 @@ grf::Diagnostics write(const ExportRequest& request) {
   // A file of GRF is written whole: files that it includes are not to be changed by an export.
   if (request.format->name == "grf") scene = grf::flatten(*scene, path);
   if (request.is_grf2008) scene = convert::to_grf2008(*scene, path, diagnostics);
-  if (scene) static_cast<void>(request.format->write(*scene, path, diagnostics));
+  if (!scene) return diagnostics;
+  if (request.format->write_view != nullptr) {
+    write_view(*scene, request, diagnostics);
+  } else {
+    request.format->write(*scene, path, diagnostics);
+  }
   return diagnostics;
 }
 

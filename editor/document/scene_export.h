@@ -7,6 +7,7 @@
 #include "editor/document/import_folder.h"
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
+#include "renderer/options/render_options.h"
 
 namespace convert {
 struct Format;
@@ -24,6 +25,8 @@ struct ExportRequest {
   QString path;           ///< of the file to be written
   const convert::Format* format = nullptr;
   bool is_grf2008 = false;  ///< write GRF in its grammar of 2008, without extensions
+  /// The camera, film and environment map, with absolute paths, for formats with a view.
+  options::RenderOptions view;
 };
 
 /// A snapshot of a document, without path and format.

@@ -58,6 +58,28 @@ TEST_F(SceneExports, LoseWhatTheyTold) {
   }
 }
 
+// The camera of the project, and not one that frames the scene.
+TEST_F(SceneExports, HaveTheCameraOfTheProject) {
+  options::RenderOptions now = document_.options().valid_options();
+  now.eye = grf::Vec3f(7, 8.5F, 9);
+  now.target = grf::Vec3f(7, 8.5F, 0);
+  now.field_of_view = 90;
+  document_.options().set_options("Camera", now);
+  for (const char* format : {"gltf", "pbrt", "mitsuba", "usd"}) {
+    const std::string name = std::string("out.") + format;
+    const grf::Diagnostics diagnostics = write(request(format, name));
+    EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.to_text();
+    EXPECT_THAT(test::bytes_of(folder_.path(name)), HasSubstr("8.5")) << format;
+  }
+  const auto file = test::bytes_of(folder_.path("out.gltf"));
+  EXPECT_THAT(file, HasSubstr("\"yfov\":1.57079"));
+}
+
+TEST_F(SceneExports, OfProjectsWithoutACameraLeaveItOpen) {
+  EXPECT_FALSE(write(request("gltf", "out.gltf")).has_errors());
+  EXPECT_THAT(test::bytes_of(folder_.path("out.gltf")), Not(HasSubstr("camera")));
+}
+
 TEST_F(SceneExports, WriteOneFileOfGrfAndLeaveIncludedOnes) {
   const std::string part = folder_.add("part.grf", Lamp);
   const std::string scene = folder_.add("scene.grf", "include \"part.grf\"\n");
