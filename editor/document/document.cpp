@@ -182,6 +182,12 @@ void Document::take(grf::Scene scene, const QString& path, grf::Diagnostics diag
 void Document::take_import(const ImportedModel& model) {
   take(moved(model.scene, model.path, {}), {}, model.diagnostics, {}, true);
   add_import(model.folder);
+  if (model.cameras.empty()) return;
+  options::RenderOptions view = options_.valid_options();
+  view.cameras = model.cameras;
+  view.camera = model.cameras.front().name;
+  options_.follow(view);
+  options_.set_options({}, view);  // saved with the scene, like options that the author chose
 }
 
 void Document::merge(const QString& text, const grf::Scene& scene, const QString& path) {

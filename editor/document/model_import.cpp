@@ -12,8 +12,10 @@
 #include <utility>
 
 #include "converters/format.h"
+#include "editor/document/op_files.h"
 #include "editor/programs/bundled_program.h"
 #include "grf/read.h"
+#include "renderer/options/op_file.h"
 
 namespace editor {
 namespace {
@@ -29,20 +31,23 @@ grf::Diagnostics diagnostics_of(const QString& printed) {
   return diagnostics;
 }
 
-/// Reads the converted file, after which only the images are needed. Null after an error.
+/// Reads the converted files, after which only the images are needed. Null after an error.
 std::shared_ptr<const ImportedModel> read_model(std::shared_ptr<const ImportFolder> folder,
                                                 const QString& path, QStringList losses,
                                                 const QString& printed) {
   auto model = std::make_shared<ImportedModel>();
   grf::Diagnostics diagnostics;
   auto scene = grf::read(path.toStdString(), diagnostics);
-  if (!scene) return nullptr;
-  QFile::remove(path);
+  const QString op_file = op_file_beside(path);
+  const auto view = options::read_op_file(op_file.toStdString(), diagnostics);
+  if (!scene || !view) return nullptr;
+  for (const QString& file : {path, op_file}) QFile::remove(file);
   if (!QDir(folder->path()).isEmpty()) model->folder = std::move(folder);
   model->scene = std::move(*scene);
   model->path = path;
   model->losses = std::move(losses);
   model->diagnostics = diagnostics_of(printed);
+  model->cameras = view->cameras;
   return model;
 }
 
@@ -108,8 +113,8 @@ void ModelImport::start(const QString& file, const QStringList& options) {
   output_ = folder_->path() + "/" + QFileInfo(file).completeBaseName() + ".grf";
   const QString memory = QString::number(qRound64(1024 * memory_limit())) + "MB";
   const QString time = QString::number(time_limit(QFileInfo(file).size()));
-  run(program,
-      options + QStringList{"--max-memory", memory, "--max-time", time, "--json", "-o", output_, "--", file});
+  run(program, options + QStringList{"--max-memory", memory, "--max-time", time, "--json", "-o",
+                                     op_file_beside(output_), "--", file});
 }
 
 void ModelImport::run(const QString& program, const QStringList& arguments) {

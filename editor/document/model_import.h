@@ -5,11 +5,13 @@
 #include <QString>
 #include <QStringList>
 #include <memory>
+#include <vector>
 
 #include "editor/document/import_folder.h"
 #include "editor/programs/child_process.h"
 #include "grf/diagnostics.h"
 #include "grf/scene.h"
+#include "renderer/options/render_options.h"
 
 namespace editor {
 
@@ -20,6 +22,7 @@ struct ImportedModel {
   QStringList losses;  ///< what the import lost, one line per kind
   grf::Diagnostics diagnostics;                ///< all messages, including the losses
   std::shared_ptr<const ImportFolder> folder;  ///< folder of the images; null if there are none
+  std::vector<options::NamedCamera> cameras;
 };
 
 /// Imports a model in a child process, `grfconvert`, so that a file which crashes a reader, or exceeds the
@@ -63,7 +66,7 @@ class ModelImport : public QObject {
   const QString parent_;
   QString file_;
   std::shared_ptr<const ImportFolder> folder_;  ///< null while nothing is being imported
-  QString output_;
+  QString output_;  ///< the converted file, with an OP file of the same name beside it
   QByteArray report_;
   QByteArray messages_;
   /// The process of the current import; cancelled ones are still ending.

@@ -2582,6 +2582,14 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <source>Reimported %1: 1 object changed</source>
         <translation>Se reimportó %1: cambió 1 objeto</translation>
     </message>
+    <message>
+        <source>1 camera of %1</source>
+        <translation>1 cámara de %1</translation>
+    </message>
+    <message>
+        <source>%1 cameras of %2</source>
+        <translation>%1 cámaras de %2</translation>
+    </message>
 </context>
 <context>
     <name>editor::FinalRender</name>

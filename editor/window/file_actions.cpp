@@ -285,6 +285,10 @@ void FileActions::append_loaded() {
   for (const auto& loaded : std::exchange(import_.loaded, {})) {
     models.push_back(loaded->model);
     losses += loaded->model.losses;
+    const QString name = QFileInfo(loaded->path).fileName();
+    const std::size_t cameras = loaded->model.cameras.size();
+    if (cameras == 1) losses.append(tr("1 camera of %1").arg(name));
+    if (cameras > 1) losses.append(tr("%1 cameras of %2").arg(cameras).arg(name));
   }
   document_.merge_imports(import_.title, models);
   for (const ImportedModel& model : models) emit reported(model.diagnostics);

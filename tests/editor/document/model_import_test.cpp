@@ -53,6 +53,22 @@ TEST_F(ModelImports, GiveTheSceneOfARealModel) {
   EXPECT_THAT(model->diagnostics.to_text(), HasSubstr("faces without a BRDF"));
 }
 
+TEST_F(ModelImports, HaveTheCamerasOfTheModel) {
+  const auto model =
+      imported("/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb");
+  ASSERT_NE(model, nullptr);
+  ASSERT_EQ(model->cameras.size(), 1U);
+  EXPECT_FALSE(model->diagnostics.to_text().find("camera") != std::string::npos);
+  Document document;
+  document.take_import(*model);
+  const options::RenderOptions& view = document.options().valid_options();
+  EXPECT_EQ(view.cameras, model->cameras);
+  EXPECT_EQ(view.camera, model->cameras.front().name) << "it renders";
+  grf::Diagnostics diagnostics;
+  ASSERT_TRUE(document.save(QString::fromStdString(folder_.path("engine.grf")), diagnostics));
+  EXPECT_THAT(test::bytes_of(folder_.path("engine.op")), HasSubstr("BPT_Cameras"));
+}
+
 TEST_F(ModelImports, CarryWhatStoodInsideTheModelToWhereTheSceneIsSaved) {
   const auto model = imported("/usr/share/assimp/models/glTF2/BoxTextured-glTF-Binary/BoxTextured.glb");
   ASSERT_NE(model, nullptr);
