@@ -12,7 +12,6 @@
 
 #include "converters/embedded_files.h"
 #include "converters/grf2008.h"
-#include "converters/losses.h"
 #include "converters/mesh_operations/scene_placement.h"
 #include "converters/scene_building.h"
 #include "converters/wording.h"
@@ -179,11 +178,10 @@ bool write_op_file(const std::string& path, const std::string& scene,
 /// Reports that cameras have no place in the output, and what keeps them.
 void report_cameras(std::size_t count, const ConvertOptions& options, grf::Diagnostics& diagnostics) {
   if (count == 0) return;
-  Losses losses;
-  losses.add(Loss::Camera, count);
-  losses.report(grf::whole_file(options.input.path), diagnostics);
-  diagnostics.note(grf::whole_file(options.input.path),
-                   "the output NAME.op has cameras, and NAME.grf beside it the scene");
+  diagnostics.loss(
+      grf::whole_file(options.input.path),
+      fmt::format("{} left out: the output NAME.op keeps them, with the scene in NAME.grf beside it",
+                  counted(count, "camera was", "cameras were")));
 }
 
 /// Moves cameras with the scene.
