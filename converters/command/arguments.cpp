@@ -97,17 +97,18 @@ void define_conversion(CLI::App& app, Arguments& arguments) {
       "Subcommands inspect, check and tidy files.");
   app.require_subcommand(0, 1);
   app.add_option("IN", arguments.inputs, "Input files");
-  app.add_option("-o,--output", arguments.output,
-                 "Output file, whose extension selects the format; an OP file, which has the cameras, with a "
-                 "GRF file of "
-                 "the same name beside it; or output folder (a name that ends in /, or with several inputs)");
+  app.add_option(
+      "-o,--output", arguments.output,
+      "Output file, whose extension selects the format; an OP file, which has the cameras, with a "
+      "GRF file of the same name beside it; or output folder (a name that ends in /, or with several "
+      "inputs)");
   app.add_option("--to", arguments.to, "Output format, overriding the extension; default in a folder: grf")
       ->check(is_format_with(&Format::write));
-  app.add_option("--options", arguments.op_file,
-                 "OP file with the camera, film, environment map, depth and samples of a USD, pbrt or "
-                 "Mitsuba scene, or "
-                 "the cameras of a glTF scene; "
-                 "or give the OP file as the input, which names its scene")
+  app.add_option(
+         "--options", arguments.op_file,
+         "OP file with the camera, film, environment map, depth and samples of a USD, pbrt or "
+         "Mitsuba scene, or the cameras of a glTF scene; or give the OP file as the input, which names "
+         "its scene")
       ->check(CLI::ExistingFile);
   app.add_flag("--flatten", arguments.flat, "Expand included files and BRDF files into one GRF file");
   app.add_flag("--grf2008", arguments.grf2008, "Write GRF in its grammar of 2008, without extensions");

@@ -26,18 +26,12 @@
 namespace convert {
 namespace {
 
-std::string writable_formats() {
+/// Returns the names of the formats that have a function, such as one that writes.
+template <class Function>
+std::string formats_with(Function Format::*function) {
   std::string names;
   for (const Format& format : formats()) {
-    if (format.write != nullptr) names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
-  }
-  return names;
-}
-
-std::string formats_with_views() {
-  std::string names;
-  for (const Format& format : formats()) {
-    if (format.write_view != nullptr) names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
+    if (format.*function != nullptr) names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
   }
   return names;
 }
@@ -153,26 +147,19 @@ std::optional<ConvertOptions> with_scene_of_op_file(ConvertOptions options, grf:
 /// Writes an OP file that renders a scene, with its cameras: the first one renders.
 bool write_op_file(const std::string& path, const std::string& scene,
                    const std::vector<options::NamedCamera>& cameras, grf::Diagnostics& diagnostics) {
+  options::RenderOptions view;
+  view.scene = std::filesystem::path(scene).filename().string();
+  view.cameras = cameras;
+  if (!cameras.empty()) view.camera = cameras.front().name;
   options::OpText text;
-  const auto set = [&](std::string_view key, const std::vector<std::string>& words) {
-    const auto& table = options::option_table();
-    const auto option = std::ranges::find(table, key, &options::OptionInfo::key);
-    return text.set(*option, words);
-  };
-  std::vector<std::string> words;
-  for (const options::NamedCamera& camera : cameras) {
-    words.push_back(camera.name);
-    for (const grf::Vec3f& v : {camera.eye, camera.target, camera.up}) {
-      for (const float x : {v.x, v.y, v.z}) words.push_back(fmt::format("{}", x));
-    }
-    for (const float x : {camera.field_of_view, camera.lens_radius, camera.focus_distance})
-      words.push_back(fmt::format("{}", x));
+  for (const options::OptionInfo& option : options::option_table()) {
+    const std::vector<std::string> words = option_words(view, option);
+    if (words == option_words({}, option) || text.set(option, words)) continue;
+    diagnostics.error(grf::whole_file(path),
+                      fmt::format("{}: cannot write '{}' in an OP file", option.key, words.front()));
+    return false;
   }
-  bool can_write = set("BPT_Scene", {std::filesystem::path(scene).filename().string()});
-  if (!cameras.empty()) can_write &= set("BPT_Cameras", words) && set("BPT_Camera", {cameras.front().name});
-  if (can_write) return grf::replace_file(path, text.text(), diagnostics);
-  diagnostics.error(grf::whole_file(path), "an OP file cannot have this name of a scene");
-  return false;
+  return grf::replace_file(path, text.text(), diagnostics);
 }
 
 /// Reports that cameras have no place in the output, and what keeps them.
@@ -245,11 +232,11 @@ std::string problem_of(const ConvertOptions& options) {
   const Format* format = output_format(options);
   if (format == nullptr) {
     return fmt::format("the format of '{}' is unknown: give it by --to ({})", options.output,
-                       writable_formats());
+                       formats_with(&Format::write));
   }
   if (format->write == nullptr) {
     return fmt::format("{} files cannot be written; the formats that can are: {}", format->name,
-                       writable_formats());
+                       formats_with(&Format::write));
   }
   if ((options.flat || options.grf2008) && format->name != "grf") {
     return fmt::format("--flatten and --grf2008 are for GRF files, and this is {}", format->name);
@@ -257,7 +244,7 @@ std::string problem_of(const ConvertOptions& options) {
   const bool has_view = !options.writing.op_file.empty() || is_op_file(options.input.path);
   if (has_view && format->write_view == nullptr) {
     return fmt::format("an OP file cannot become {}; the formats that take one are {}", format->name,
-                       formats_with_views());
+                       formats_with(&Format::write_view));
   }
   if (is_op_file(options.output) && format->name != "grf") {
     return fmt::format("an OP file renders a GRF file, and this is {}", format->name);

@@ -60,26 +60,24 @@ std::string op_name(const std::string& name) {
   return is_usable ? text : "camera";
 }
 
-nlohmann::json matrix_of(const RenderView& view) {
-  const Vec3d right = view.forward.cross(view.up);
+/// glTF's matrices are column-major for column vectors: the numbers are those of rows for row vectors.
+nlohmann::json numbers_of(const Matrix44d& matrix) {
   nlohmann::json numbers = nlohmann::json::array();
-  for (const Vec3d& row : {right, view.up, -view.forward, view.eye}) {
-    for (const double x : {row.x, row.y, row.z}) numbers.push_back(x);
-    numbers.push_back(numbers.size() == 15 ? 1 : 0);
-  }
+  for (int i = 0; i < 16; ++i) numbers.push_back(matrix[i / 4][i % 4]);
   return numbers;
 }
 
 int add_camera(const std::string& name, const RenderView& view, const grf::Box3d& bounds,
                GltfDocument& document) {
   // Others clip what is nearer; bpt does not.
-  const double reach = (view.eye - bounds.center()).length() + bounds.size().length() / 2;
+  const double reach = reach_from(view.eye, bounds);
   nlohmann::json perspective = {{"yfov", view.field_of_view * RadiansPerDegree},
                                 {"znear", std::max(1e-5 * reach, 1e-30)}};
   if (view.width > 0 && view.height > 0) perspective["aspectRatio"] = double(view.width) / view.height;
   const int camera = document.append(
       "cameras", {{"name", name}, {"type", "perspective"}, {"perspective", std::move(perspective)}});
-  return document.append("nodes", {{"name", name}, {"camera", camera}, {"matrix", matrix_of(view)}});
+  return document.append("nodes",
+                         {{"name", name}, {"camera", camera}, {"matrix", numbers_of(camera_to_world(view))}});
 }
 
 }  // namespace

@@ -103,4 +103,17 @@ std::optional<RenderView> render_view(const std::optional<RenderOptions>& given,
   return view;
 }
 
+grf::Matrix44d camera_to_world(const RenderView& view) {
+  const grf::Vec3d right = view.forward.cross(view.up);
+  const grf::Vec3d& up = view.up;
+  const grf::Vec3d& forward = view.forward;
+  const grf::Vec3d& eye = view.eye;
+  return {right.x,    right.y,    right.z,    0, up.x,  up.y,  up.z,  0,
+          -forward.x, -forward.y, -forward.z, 0, eye.x, eye.y, eye.z, 1};
+}
+
+double reach_from(const grf::Vec3d& eye, const grf::Box3d& bounds) {
+  return (eye - bounds.center()).length() + bounds.size().length() / 2;
+}
+
 }  // namespace convert

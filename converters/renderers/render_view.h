@@ -36,6 +36,12 @@ struct RenderView {
   bool has_backplate = false;                ///< an image behind the scene, which lights nothing
 };
 
+/// Returns the transform from a camera that looks along -z, with y up, to the world.
+grf::Matrix44d camera_to_world(const RenderView& view);
+
+/// Returns a distance beyond which nothing of the bounds is.
+double reach_from(const grf::Vec3d& eye, const grf::Box3d& bounds);
+
 /// Returns the view that the options ask for, or if there are none the default one that frames the bounds.
 /// Nothing after an error.
 std::optional<RenderView> render_view(const std::optional<options::RenderOptions>& render_options,

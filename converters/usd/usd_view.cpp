@@ -37,13 +37,7 @@ void put_usd_camera(UsdText& text, const std::string& name, const std::string& o
   // An f-number of 0 is a pinhole.
   const double f_number = view.lens_radius > 0 ? FocalLength / 10 / (2 * view.lens_radius) : 0;
   text.line("float fStop = " + usd_number(f_number));
-  const grf::Vec3d right = view.forward.cross(view.up);
-  const grf::Vec3d& up = view.up;
-  const grf::Vec3d& forward = view.forward;
-  const grf::Vec3d& eye = view.eye;
-  const grf::Matrix44d to_world(right.x, right.y, right.z, 0, up.x, up.y, up.z, 0, -forward.x, -forward.y,
-                                -forward.z, 0, eye.x, eye.y, eye.z, 1);
-  text.line("matrix4d xformOp:transform = " + usd_matrix(to_world));
+  text.line("matrix4d xformOp:transform = " + usd_matrix(camera_to_world(view)));
   text.line("uniform token[] xformOpOrder = [\"xformOp:transform\"]");
   text.end();
 }
@@ -74,10 +68,6 @@ bool put_usd_surroundings(UsdText& text, const std::string& path, RenderView& vi
   }
   text.end();
   return true;
-}
-
-double reach_from(const grf::Vec3d& eye, const grf::Box3d& bounds) {
-  return (eye - bounds.center()).length() + bounds.size().length() / 2;
 }
 
 /// Puts the cameras that have names; false after an error.

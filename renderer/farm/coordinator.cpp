@@ -298,8 +298,7 @@ std::string Coordinator::defect_of(const SamplePart& part, const Task& task) con
       (part.is_adaptive != 0) != settings.is_adaptive()) {
     return "it has another size";
   }
-  std::vector<transport::TileSamples> wanted(part.tiles.size());
-  std::ranges::copy(task.samples, wanted.begin() + task.first_tile);
+  const auto wanted = task.samples_by_tile(part.tiles.size());
   for (std::size_t tile = 0; tile < part.tiles.size(); ++tile) {
     for (std::size_t half = 0; half < wanted[tile].first.size(); ++half) {
       transport::SampleIntervals samples;

@@ -68,12 +68,9 @@ std::unique_ptr<OpenedJob> open_job(const std::string& path, Diagnostics& diagno
 
 std::optional<transport::SamplePart> RunningRenders::run(const OpenedJob& job, const Task& task) {
   transport::RenderSettings settings = job.job->settings;
-  const auto end = task.samples.size() + static_cast<std::size_t>(task.first_tile);
-  settings.part = transport::ImagePart{.first_tile = task.first_tile, .end_tile = static_cast<int>(end)};
-  if (!task.is_pilot) {
-    settings.part_samples.resize(static_cast<std::size_t>(tile_count_of(settings)));
-    std::ranges::copy(task.samples, settings.part_samples.begin() + task.first_tile);
-  }
+  settings.part = transport::ImagePart{.first_tile = task.first_tile, .end_tile = task.end_tile()};
+  const auto tiles = static_cast<std::size_t>(tile_count_of(settings));
+  if (!task.is_pilot) settings.part_samples = task.samples_by_tile(tiles);
   return run(job, std::move(settings));
 }
 

@@ -1,5 +1,6 @@
 #include "renderer/farm/records.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -121,6 +122,12 @@ auto read(std::string_view text, const Read& of_object) -> std::optional<decltyp
 }
 
 }  // namespace
+
+std::vector<transport::TileSamples> Task::samples_by_tile(std::size_t tiles) const {
+  std::vector<transport::TileSamples> all(tiles);
+  std::ranges::copy(samples, all.begin() + first_tile);
+  return all;
+}
 
 std::string host_name() {
   std::array<char, 256> name = {};

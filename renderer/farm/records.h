@@ -42,6 +42,11 @@ struct Task {
   int first_tile = 0;                           ///< in the order of Film
   std::vector<transport::TileSamples> samples;  ///< of this tile and of those that follow it; not empty
   bool is_pilot = false;                        ///< whether they are the pilot of an adaptive image
+
+  /// The number of the tile after the last one.
+  int end_tile() const { return first_tile + static_cast<int>(samples.size()); }
+  /// Returns its samples of each tile of an image that has so many, and all of its own.
+  std::vector<transport::TileSamples> samples_by_tile(std::size_t tiles) const;
 };
 
 /// The tasks of a stage of a job, which its ledger has.

@@ -23,11 +23,6 @@ constexpr milliseconds SignInterval{2000};
 /// The first digits of a digest, for messages.
 std::string short_name(const transport::Digest& digest) { return transport::hex(digest).substr(0, 12); }
 
-bool has_tiles_of(const OpenedJob& job, const Task& task) {
-  const auto end = task.samples.size() + static_cast<std::size_t>(task.first_tile);
-  return std::cmp_less_equal(end, tile_count_of(job.job->settings));
-}
-
 }  // namespace
 
 Worker::Worker(const Farm& farm, WorkerSettings settings, std::function<void(const std::string&)> say)
@@ -180,7 +175,7 @@ void Worker::work_on_tasks(const JobInfo& info) {
       if (messages.empty() && is_idle()) return;
       if (messages.empty()) continue;
       const auto task = task_of(messages.front().data());
-      if (!task || !has_tiles_of(*opened_, *task)) {
+      if (!task || task->end_tile() > tile_count_of(opened_->job->settings)) {
         messages.front().acknowledge();  // nobody could read it
       } else if (!render(info, messages.front(), *task)) {
         return;

@@ -46,7 +46,7 @@ class NpmTest : public testing::Test {
   const test::TemporaryFolder folder_;
 
  private:
-  /// What npm says where it cannot reach a registry.
+  /// Returns whether npm says that it cannot reach a registry.
   static bool is_unreachable(std::string_view text) {
     for (const char* code :
          {"ENOTFOUND", "EAI_AGAIN", "ECONNREFUSED", "ECONNRESET", "ENETUNREACH", "ETIMEDOUT"}) {

@@ -17,10 +17,9 @@ namespace {
 using test::Process;
 using testing::HasSubstr;
 
-class FarmFaults : public test::FarmTest {
+class FarmFaults : public test::FarmOfSceneTest {
  protected:
-  const std::string scene_ = scene(200);
-  const std::string expected_ = digest_of_one_process(scene_);
+  FarmFaults() : FarmOfSceneTest(200) {}
 
   void make_folder(const std::string& name) const { std::filesystem::create_directory(path(name)); }
 };
@@ -62,7 +61,7 @@ TEST_F(FullDisk, OfTheServerCostsTime) {
   EXPECT_FALSE(std::filesystem::exists(path("farm.pfm"))) << "the disk was not full";
   kill_server(server);
   const Process roomy = serve("roomy");
-  expect_image(rendering, expected_);
+  expect_image(rendering);
 }
 
 TEST_F(FullDisk, OfAWorkerLeavesTheWorkToOthers) {
@@ -74,7 +73,7 @@ TEST_F(FullDisk, OfAWorkerLeavesTheWorkToOthers) {
   EXPECT_THAT(full.output(), HasSubstr("No space left on device"));
   EXPECT_FALSE(has_parts(rendering, 1));
   const Process worker = work();
-  expect_image(rendering, expected_);
+  expect_image(rendering);
 }
 
 // A limit of files' sizes is like a disk that is full, and its files stay for the next run.
@@ -90,7 +89,7 @@ TEST_F(FarmFaults, OfTheCoordinatorsDiskEndItWithAMessage) {
   EXPECT_THAT(rendering.output(), HasSubstr("farm.pfm.ledger: error: cannot write the ledger"));
   ASSERT_TRUE(std::filesystem::exists(path("farm.pfm.ledger")));
   Process resumed = render(scene_);
-  expect_image(resumed, expected_);
+  expect_image(resumed);
 }
 
 TEST_F(FarmFaults, OfOtherInstructionSetsAreRefused) {
@@ -111,7 +110,7 @@ TEST_F(FarmFaults, OfOtherInstructionSetsAreRefused) {
   const Process worker = work();
   EXPECT_TRUE(worker.wait_for("it needs the instruction set armv8-a, and this bpt uses x86-64-v3"))
       << worker.output();
-  expect_image(rendering, expected_);
+  expect_image(rendering);
 }
 
 // 100 ms in each direction, and what TCP makes of 5 % of lost packets: the data wait for their repetition.
@@ -126,7 +125,7 @@ TEST_F(FarmFaults, OfTheNetworkCostTime) {
   const Process worker = start({"work", "--threads", "1", "--cache", path("cache"), "--server", slow});
   Process rendering = start({"render", scene_, "-o", path("farm.pfm"), "--part-seconds", "0.1", "--lease",
                              "1", "--progress", "json", "--server", slow});
-  expect_image(rendering, expected_);
+  expect_image(rendering);
   EXPECT_TRUE(network.has_printed("lost")) << "no packet was lost";
 }
 

@@ -18,16 +18,9 @@ using test::Outcome;
 using test::Process;
 using testing::HasSubstr;
 
-class Farm : public test::FarmTest {
+class Farm : public test::FarmOfSceneTest {
  protected:
-  static constexpr int Samples = 200;
-
-  const std::string scene_ = scene(Samples);
-  const std::string expected_ = digest_of_one_process(scene_);
-
-  void expect_image(Process& render, const std::string& output = "farm.pfm") const {
-    FarmTest::expect_image(render, expected_, output);
-  }
+  Farm() : FarmOfSceneTest(200) {}
 };
 
 TEST_F(Farm, HasTheImageOfOneProcessByAnyNumberOfWorkers) {

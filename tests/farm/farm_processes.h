@@ -199,4 +199,17 @@ class FarmTest : public testing::Test {
   }
 };
 
+/// A farm with a scene of so many samples, and the digest of its image by one process.
+class FarmOfSceneTest : public FarmTest {
+ protected:
+  explicit FarmOfSceneTest(int samples) : scene_(scene(samples)), expected_(digest_of_one_process(scene_)) {}
+
+  void expect_image(Process& render, const std::string& output = "farm.pfm") const {
+    FarmTest::expect_image(render, expected_, output);
+  }
+
+  const std::string scene_;
+  const std::string expected_;
+};
+
 }  // namespace test

@@ -19,10 +19,10 @@ using test::Outcome;
 using test::Process;
 
 /// An image in parts, which are files of a folder.
-class Schedulers : public test::FarmTest {
+class Schedulers : public test::FarmOfSceneTest {
  protected:
-  const std::string scene_ = scene(8);
-  const std::string expected_ = digest_of_one_process(scene_);
+  Schedulers() : FarmOfSceneTest(8) {}
+
   const std::string image_ = path("image.pfm");
 
   Outcome run_in_folder(const std::string& command) const {

@@ -1,6 +1,9 @@
 // Cameras of glTF files become those of OP files, and the other way round.
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

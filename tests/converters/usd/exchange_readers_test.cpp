@@ -1,5 +1,4 @@
 // USD and MaterialX files are read by the programs of others: tinyusdz, and MaterialX itself as WebAssembly.
-#include <map>
 #include <string>
 #include <vector>
 
