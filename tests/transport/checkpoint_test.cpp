@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/temporary_folder.h"
-#include "tests/transport/sample_scenes.h"
+#include "tests/transport/interrupted_render.h"
 
 namespace {
 
@@ -34,45 +34,23 @@ class Checkpoint : public testing::Test {
     return test::settings_of(setup);
   }
 
-  static Image whole(const transport::CompiledScene& scene, const RenderSettings& settings) {
-    Render render(scene, settings);
+  Image whole(const RenderSettings& settings) const {
+    Render render(scene_, settings);
     render.run();
     return render.film().mean();
   }
 
-  /// Renders this many paths, which ends within a pass, and writes a checkpoint.
-  void render_part(const transport::CompiledScene& scene, const RenderSettings& settings,
-                   std::uint64_t paths) const {
-    Render render(scene, settings);
-    grf::Diagnostics diagnostics;
-    ASSERT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics)) << diagnostics.to_text();
-    const std::uint64_t before = render.path_count();
-    std::thread stopper([&] {
-      while (render.path_count() < before + paths && render.end() == RenderEnd::NotYet) {
-        std::this_thread::yield();
-      }
-      render.stop();
-    });
-    render.run();
-    stopper.join();
-    ASSERT_TRUE(write_checkpoint(path_, Ours, render, diagnostics)) << diagnostics.to_text();
+  void render_part(const RenderSettings& settings, std::uint64_t paths) const {
+    test::render_part(scene_, settings, paths, path_, Ours);
   }
 
-  Image resumed(const transport::CompiledScene& scene, const RenderSettings& settings) const {
-    Render render(scene, settings);
-    grf::Diagnostics diagnostics;
-    EXPECT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics)) << diagnostics.to_text();
-    render.run();
-    const double pixels = static_cast<double>(settings.width) * settings.height;
-    EXPECT_EQ(static_cast<double>(render.path_count()), settings.samples * pixels);
-    return render.film().mean();
-  }
+  Image resumed(const RenderSettings& settings) const { return test::resumed(scene_, settings, path_, Ours); }
 
   /// Rendering until a target error gives the same image, interrupted after this many paths or not.
   void expect_same_end(const RenderSettings& until, std::uint64_t paths) const {
     Render uninterrupted(scene_, until);
     uninterrupted.run();
-    render_part(scene_, until, paths);
+    render_part(until, paths);
     Render render(scene_, until);
     grf::Diagnostics diagnostics;
     ASSERT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics));
@@ -94,22 +72,8 @@ class Checkpoint : public testing::Test {
   }
 };
 
-TEST_F(Checkpoint, SampleScenesResumeToTheSameImage) {
-  for (const std::string& path : test::sample_op_files()) {
-    test::SampleScene sample = test::sample_scene(path);
-    const Image expected = whole(sample.scene, sample.settings);
-    for (const int threads : {1, 2, 7}) {
-      std::filesystem::remove(path_);
-      sample.settings.threads = threads;
-      for (const std::uint64_t paths : {300U, 4000U}) render_part(sample.scene, sample.settings, paths);
-      EXPECT_EQ(resumed(sample.scene, sample.settings).pixels, expected.pixels)
-          << path << ", " << threads << " threads";
-    }
-  }
-}
-
 TEST_F(Checkpoint, IsWrittenWhileWorkersGoOn) {
-  const Image expected = whole(scene_, settings(200));
+  const Image expected = whole(settings(200));
   Render render(scene_, settings(200));
   std::thread worker([&] { render.run(); });
   int written = 0;
@@ -121,15 +85,14 @@ TEST_F(Checkpoint, IsWrittenWhileWorkersGoOn) {
   render.stop();
   worker.join();
   EXPECT_GT(written, 0);
-  EXPECT_EQ(resumed(scene_, settings(200)).pixels, expected.pixels);
+  EXPECT_EQ(resumed(settings(200)).pixels, expected.pixels);
 }
 
 TEST_F(Checkpoint, OfAFinishedRenderGoesOnWithMoreSamples) {
-  EXPECT_EQ(resumed(scene_, settings(7)).pixels,
-            whole(scene_, settings(7)).pixels);  // no file: from the start
-  render_part(scene_, settings(7), 7 * 45 * 33);
-  EXPECT_EQ(resumed(scene_, settings(7)).pixels, whole(scene_, settings(7)).pixels);
-  EXPECT_EQ(resumed(scene_, settings(20)).pixels, whole(scene_, settings(20)).pixels);
+  EXPECT_EQ(resumed(settings(7)).pixels, whole(settings(7)).pixels);  // no file: from the start
+  render_part(settings(7), 7 * 45 * 33);
+  EXPECT_EQ(resumed(settings(7)).pixels, whole(settings(7)).pixels);
+  EXPECT_EQ(resumed(settings(20)).pixels, whole(settings(20)).pixels);
 }
 
 TEST_F(Checkpoint, LeadsToTheSameSampleAtATargetError) {
@@ -142,8 +105,8 @@ TEST_F(Checkpoint, LeadsToTheSameSampleAtATargetError) {
 TEST_F(Checkpoint, OfAnAdaptiveRenderGoesOn) {
   RenderSettings adaptive = settings(100);
   adaptive.adaptive = true;
-  const Image expected = whole(scene_, adaptive);
-  EXPECT_NE(expected.pixels, whole(scene_, settings(100)).pixels);
+  const Image expected = whole(adaptive);
+  EXPECT_NE(expected.pixels, whole(settings(100)).pixels);
   const auto finished = [&](const RenderSettings& asked) {
     Render render(scene_, asked);
     grf::Diagnostics diagnostics;
@@ -155,7 +118,7 @@ TEST_F(Checkpoint, OfAnAdaptiveRenderGoesOn) {
   for (const int first : {8, 20, 27, 60}) {
     std::filesystem::remove(path_);
     for (const int samples : {first, 30}) {
-      render_part(scene_, adaptive, static_cast<std::uint64_t>(samples) * 45 * 33);
+      render_part(adaptive, static_cast<std::uint64_t>(samples) * 45 * 33);
     }
     EXPECT_EQ(finished(adaptive).pixels, expected.pixels) << first;
   }
@@ -163,7 +126,7 @@ TEST_F(Checkpoint, OfAnAdaptiveRenderGoesOn) {
   for (const int samples : {20, 50, 77}) {
     RenderSettings fewer = adaptive;
     fewer.samples = samples;
-    EXPECT_EQ(finished(fewer).pixels, whole(scene_, fewer).pixels) << samples;
+    EXPECT_EQ(finished(fewer).pixels, whole(fewer).pixels) << samples;
   }
   EXPECT_EQ(finished(adaptive).pixels, expected.pixels);
 }
@@ -176,7 +139,7 @@ TEST_F(Checkpoint, OfAnAdaptiveRenderLeadsToTheSameEndAtATargetError) {
 }
 
 TEST_F(Checkpoint, KeepsWhatWasDoneInAllRuns) {
-  render_part(scene_, settings(100), 20000);
+  render_part(settings(100), 20000);
   Render render(scene_, settings(100));
   grf::Diagnostics diagnostics;
   ASSERT_TRUE(resume_from_checkpoint(path_, Ours, render, diagnostics));
@@ -189,7 +152,7 @@ TEST_F(Checkpoint, KeepsWhatWasDoneInAllRuns) {
 }
 
 TEST_F(Checkpoint, OfAnotherImageIsRefused) {
-  render_part(scene_, settings(10), 3000);
+  render_part(settings(10), 3000);
   EXPECT_NE(refusal({{9}, {2}, {3}}, settings(10)).find("with other options"), std::string::npos);
   EXPECT_NE(refusal({{1}, {9}, {3}}, settings(10)).find("of a scene with other contents"), std::string::npos);
   EXPECT_NE(refusal({{1}, {2}, {9}}, settings(10)).find("by another build of bpt"), std::string::npos);
@@ -200,7 +163,7 @@ TEST_F(Checkpoint, OfAnotherImageIsRefused) {
 }
 
 TEST_F(Checkpoint, ThatIsBrokenIsRefused) {
-  render_part(scene_, settings(10), 3000);
+  render_part(settings(10), 3000);
   const std::string bytes = test::bytes_of(path_);
   for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 97) {
     folder_.add("state", bytes.substr(0, size));

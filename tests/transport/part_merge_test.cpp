@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/temporary_folder.h"
-#include "tests/transport/sample_scenes.h"
+#include "tests/transport/scene_helpers.h"
 
 namespace {
 

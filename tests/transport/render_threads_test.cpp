@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/transport/sample_scenes.h"
+#include "tests/transport/scene_helpers.h"
 
 namespace {
 
@@ -17,20 +17,6 @@ RenderSettings settings(int samples) {
   test::RenderSetup setup = test::floor_setup(70, 50, samples);
   setup.threads = 2;
   return test::settings_of(setup);
-}
-
-TEST(SampleScenes, GiveTheSameImageForAnyNumberOfThreads) {
-  for (const std::string& path : test::sample_op_files()) {
-    test::SampleScene sample = test::sample_scene(path);
-    std::vector<image::Image> images;
-    for (const int threads : {1, 2, 7}) {
-      sample.settings.threads = threads;
-      Render render(sample.scene, sample.settings);
-      render.run();
-      images.push_back(render.film().mean());
-      EXPECT_EQ(images.back().pixels, images.front().pixels) << path << ", " << threads << " threads";
-    }
-  }
 }
 
 TEST(Snapshot, IsTheImageSoFarWhileWorkersGoOn) {

@@ -1,13 +1,19 @@
-// Both integrators agree on each of the sample scenes, all over the image.
+// Both integrators agree on each of the sample scenes, all over the image, which does not depend on threads
+// and interruptions.
 #include "tests/transport/sample_scenes.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 #include <memory>
 
 #include <gtest/gtest.h>
 
 #include "tests/statistics/chi_square.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/thoroughness.h"
 #include "tests/transport/block_statistics.h"
+#include "tests/transport/interrupted_render.h"
 
 namespace {
 
@@ -81,7 +87,38 @@ TEST_P(SampleScenes, LookTheSameByNaiveAndByPath) {
   EXPECT_LT(least_p_value(by_path(too_early), naive), significance) << "depth " << too_early;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SampleScenes, testing::ValuesIn(test::sample_op_files()),
+TEST_P(SampleScenes, HaveTheSameImageForAnyNumberOfThreadsAndResumed) {
+  constexpr transport::Fingerprint OfImage = {{1}, {2}, {3}};
+  const test::TemporaryFolder folder;
+  RenderSettings settings = sample_.settings;
+  image::Image first;
+  for (const int threads : {1, 2, 7}) {
+    SCOPED_TRACE(std::to_string(threads) + " threads");
+    settings.threads = threads;
+    transport::Render render(sample_.scene, settings);
+    render.run();
+    if (threads == 1) first = render.film().mean();
+    EXPECT_EQ(render.film().mean().pixels, first.pixels);
+    const std::string checkpoint = folder.path(std::to_string(threads));
+    for (const std::uint64_t paths : {300U, 4000U}) {
+      test::render_part(sample_.scene, settings, paths, checkpoint, OfImage);
+    }
+    EXPECT_EQ(test::resumed(sample_.scene, settings, checkpoint, OfImage).pixels, first.pixels);
+  }
+}
+
+/// Returns the first two scenes of each folder, or all in a long run.
+std::vector<std::string> scenes() {
+  std::vector<std::string> files = test::sample_op_files();
+  if (test::tries_all()) return files;
+  std::map<std::filesystem::path, int> counts;
+  std::erase_if(files, [&](const std::string& file) {
+    return ++counts[std::filesystem::path(file).parent_path()] > 2;
+  });
+  return files;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SampleScenes, testing::ValuesIn(scenes()),
                          [](const auto& tested) { return test::name_of(tested.param); });
 
 }  // namespace
