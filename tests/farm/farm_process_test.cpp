@@ -78,7 +78,13 @@ TEST_F(Farm, OutlivesItsServer) {
   expect_image(rendering);
 }
 
-TEST_F(Farm, ResumesFromTheLedgerOfACoordinatorThatWasKilled) {
+// The image takes seconds: a busy machine notices late that it has begun.
+class FarmOfALongImage : public test::FarmOfSceneTest {
+ protected:
+  FarmOfALongImage() : FarmOfSceneTest(2000) {}
+};
+
+TEST_F(FarmOfALongImage, ResumesFromTheLedgerOfACoordinatorThatWasKilled) {
   const Process server = serve();
   Process rendering = render(scene_);
   const Process worker = work();
