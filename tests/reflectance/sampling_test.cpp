@@ -180,10 +180,10 @@ void expect_albedo(const Reflector& subject, const Vec3f& u, double exact, const
   EXPECT_NEAR(mean, exact, 4.5 * deviation + 2e-4 * exact) << scheme << u;
 }
 
-/// Returns every second BRDF, or all in a long run.
+/// Returns every third BRDF, or all in a long run.
 std::vector<BrdfCase> albedo_cases() {
   std::vector<BrdfCase> list = brdf_cases();
-  if (!test::tries_all()) std::erase_if(list, [](const BrdfCase& brdf) { return brdf.index % 2 == 0; });
+  if (!test::tries_all()) std::erase_if(list, [](const BrdfCase& brdf) { return brdf.index % 3 != 0; });
   return list;
 }
 
