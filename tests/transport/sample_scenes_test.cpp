@@ -87,26 +87,6 @@ TEST_P(SampleScenes, LookTheSameByNaiveAndByPath) {
   EXPECT_LT(least_p_value(by_path(too_early), naive), significance) << "depth " << too_early;
 }
 
-TEST_P(SampleScenes, HaveTheSameImageForAnyNumberOfThreadsAndResumed) {
-  constexpr transport::Fingerprint OfImage = {{1}, {2}, {3}};
-  const test::TemporaryFolder folder;
-  RenderSettings settings = sample_.settings;
-  image::Image first;
-  for (const int threads : {1, 2, 7}) {
-    SCOPED_TRACE(std::to_string(threads) + " threads");
-    settings.threads = threads;
-    transport::Render render(sample_.scene, settings);
-    render.run();
-    if (threads == 1) first = render.film().mean();
-    EXPECT_EQ(render.film().mean().pixels, first.pixels);
-    const std::string checkpoint = folder.path(std::to_string(threads));
-    for (const std::uint64_t paths : {300U, 4000U}) {
-      test::render_part(sample_.scene, settings, paths, checkpoint, OfImage);
-    }
-    EXPECT_EQ(test::resumed(sample_.scene, settings, checkpoint, OfImage).pixels, first.pixels);
-  }
-}
-
 /// Returns the first two scenes of each folder, or all in a long run.
 std::vector<std::string> scenes() {
   std::vector<std::string> files = test::sample_op_files();
@@ -119,6 +99,32 @@ std::vector<std::string> scenes() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SampleScenes, testing::ValuesIn(scenes()),
+                         [](const auto& tested) { return test::name_of(tested.param); });
+
+class SampleImages : public testing::TestWithParam<std::string> {};
+
+TEST_P(SampleImages, AreTheSameForAnyNumberOfThreadsAndResumed) {
+  const test::SampleScene sample = test::sample_scene(GetParam());
+  constexpr transport::Fingerprint OfImage = {{1}, {2}, {3}};
+  const test::TemporaryFolder folder;
+  RenderSettings settings = sample.settings;
+  image::Image first;
+  for (const int threads : {1, 2, 7}) {
+    SCOPED_TRACE(std::to_string(threads) + " threads");
+    settings.threads = threads;
+    transport::Render render(sample.scene, settings);
+    render.run();
+    if (threads == 1) first = render.film().mean();
+    EXPECT_EQ(render.film().mean().pixels, first.pixels);
+    const std::string checkpoint = folder.path(std::to_string(threads));
+    for (const std::uint64_t paths : {300U, 4000U}) {
+      test::render_part(sample.scene, settings, paths, checkpoint, OfImage);
+    }
+    EXPECT_EQ(test::resumed(sample.scene, settings, checkpoint, OfImage).pixels, first.pixels);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SampleImages, testing::ValuesIn(test::sample_op_files()),
                          [](const auto& tested) { return test::name_of(tested.param); });
 
 }  // namespace
