@@ -70,14 +70,15 @@ class Gestures {
     });
     timer.start(20);
     drop(user_window_, files, {9, 9}, modifiers);
-    QTest::qWait(50);
-    // The focus may be lost after the dialog where there is no window manager.
+    const bool is_closed =
+        QTest::qWaitFor([&] { return is_used && QApplication::activeModalWidget() == nullptr; }, Minute);
+    // The focus may be lost some time after the dialog where there is no window manager.
     QTest::qWait(200);
-    user_window_.activateWindow();
-    const bool is_active = QTest::qWaitForWindowActive(&user_window_);
     const bool is_done =
         QTest::qWaitFor([this] { return user_window_.jobs().jobs().empty(); }, Minute) && is_drawn();
-    if (!is_done || !is_used || !is_active) throw std::runtime_error("the model was not imported");
+    user_window_.activateWindow();
+    const bool is_active = QTest::qWaitForWindowActive(&user_window_);
+    if (!is_closed || !is_done || !is_active) throw std::runtime_error("the model was not imported");
   }
 
   // Not gestures.
