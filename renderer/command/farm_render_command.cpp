@@ -105,8 +105,8 @@ bool write_images(const farm::Coordinator& coordinator, const Submission& submis
   const job::RenderJob& job = *submission.opened->job;
   const transport::Render render(job.scene, job.settings);
   const ImageDescription description = description_of(render, job.scene, submission.options);
-  return write_merged(coordinator.merge(), description, arguments.outputs, arguments.access.json,
-                      diagnostics);
+  return write_merged(coordinator.merge(), job.settings.bias, description, arguments.outputs,
+                      arguments.access.json, diagnostics);
 }
 
 }  // namespace

@@ -61,6 +61,13 @@ void add_estimate(const std::optional<transport::ErrorEstimate>& estimate, Json&
   summary["estimated_error_interval"] = {estimate->low, estimate->high};
 }
 
+/// Adds the bias of an image whose paths were truncated, and its 95 % interval, to a summary; 0 of others.
+template <class Json>
+void add_bias(const transport::ErrorEstimate& bias, Json& summary) {
+  summary["bias"] = bias.error;
+  summary["bias_interval"] = {bias.low, bias.high};
+}
+
 /// Prints a line of what `add_estimate` added, if there is an error.
 template <class Json>
 void print_estimate(const Json& summary) {

@@ -46,7 +46,8 @@ bool write_images(const PartMerge& merge, const MergeArguments& arguments, Diagn
   const transport::SamplePart& sum = merge.sum();
   const auto description =
       image_description_of(sum.description, static_cast<std::size_t>(sum.width) * sum.height);
-  if (description) return write_merged(merge, *description, arguments.outputs, arguments.json, diagnostics);
+  if (description)
+    return write_merged(merge, {}, *description, arguments.outputs, arguments.json, diagnostics);
   diagnostics.error(grf::whole_file(arguments.parts.front()),
                     "the part with the first sample does not say what image it is of");
   return false;
@@ -65,8 +66,9 @@ bool write_sum(const PartMerge& merge, const MergeArguments& arguments, Diagnost
 
 }  // namespace
 
-bool write_merged(const PartMerge& merge, const ImageDescription& description,
-                  const std::vector<std::string>& outputs, bool as_json, Diagnostics& diagnostics) {
+bool write_merged(const PartMerge& merge, const transport::ErrorEstimate& bias,
+                  const ImageDescription& description, const std::vector<std::string>& outputs, bool as_json,
+                  Diagnostics& diagnostics) {
   const transport::SamplePart& sum = merge.sum();
   if (sum.totals.rejected > 0) {
     diagnostics.warning(
@@ -74,7 +76,8 @@ bool write_merged(const PartMerge& merge, const ImageDescription& description,
                         sum.totals.first_rejected % sum.width, sum.totals.first_rejected / sum.width));
   }
   const transport::Film film = merge.film();
-  const auto estimate = film.error_estimate();
+  auto estimate = film.error_estimate();
+  if (estimate) estimate = transport::with_bias(*estimate, bias);
   const image::ImageFile file = image_file_of(film, description, sum.totals.seconds, estimate);
   bool are_written = true;
   for (const std::string& output : outputs) are_written &= image::write_image(file, output, diagnostics);

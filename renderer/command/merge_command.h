@@ -22,8 +22,10 @@ struct MergeArguments {
 /// samples lack is not written.
 grf::ExitCode merge(const MergeArguments& arguments);
 
-/// Writes the image of a merge that has all samples, and prints a summary.
-bool write_merged(const transport::PartMerge& merge, const ImageDescription& description,
-                  const std::vector<std::string>& outputs, bool as_json, grf::Diagnostics& diagnostics);
+/// Writes the image of a merge that has all samples, and prints a summary. The bias of its samples is part of
+/// the stated error.
+bool write_merged(const transport::PartMerge& merge, const transport::ErrorEstimate& bias,
+                  const ImageDescription& description, const std::vector<std::string>& outputs, bool as_json,
+                  grf::Diagnostics& diagnostics);
 
 }  // namespace command

@@ -15,7 +15,7 @@
 #include "renderer/command/json_values.h"
 #include "renderer/command/render_run.h"
 #include "renderer/image/image_file.h"
-#include "renderer/job/render_job.h"
+#include "renderer/job/target_pilot.h"
 #include "renderer/plan/table_bytes.h"
 
 namespace command {
@@ -146,6 +146,48 @@ bool write_images(const job::MeasuredEffect& measured, const std::string& folder
          image::write_image({measured.without}, stem + "_without.exr", diagnostics);
 }
 
+/// Returns which paths suffice for a target error: for each number of bounces the bias and the cost, and the
+/// number that is chosen. Updates the plan. Null without a target error, or after an error.
+Json target_error_of(const options::RenderOptions& render_options, Plan& plan, Diagnostics& diagnostics) {
+  Diagnostics repeated;  // the plan gave the warnings
+  auto job = render_options.target_error ? job::render_job(render_options, repeated) : std::nullopt;
+  if (!job) {
+    for (const grf::Diagnostic& each : repeated.entries()) {
+      if (each.severity == grf::Severity::Error) diagnostics.error(each.location, each.message);
+    }
+    return nullptr;
+  }
+  Json bounces = Json::array();
+  for (const transport::Truncation& truncation : job::truncate_paths(render_options, *job)) {
+    const reflectance::Rgb& factor = truncation.last_bounce_factor;
+    bounces.push_back({{"depth", truncation.depth},
+                       {"bias", truncation.bias.error},
+                       {"bias_interval", {truncation.bias.low, truncation.bias.high}},
+                       {"last_bounce_factor", {factor.x, factor.y, factor.z}},
+                       {"cost", number_or_null(truncation.cost(*render_options.target_error))}});
+  }
+  plan.depth = job->plan.depth;
+  plan.why_depth = job->plan.why_depth;
+  return {{"target", *render_options.target_error},
+          {"bias_part", transport::BiasPart},
+          {"depth", plan.depth},
+          {"bounces", std::move(bounces)}};
+}
+
+void print_target_error(const Json& target) {
+  fmt::print("target error {:.3g} %, of which the bias may be {:.3g} %: the bias of fewer bounces\n",
+             100 * target["target"].get<double>(),
+             100 * target["bias_part"].get<double>() * target["target"].get<double>());
+  for (const Json& one : target["bounces"]) {
+    const int depth = one["depth"].get<int>();
+    fmt::print("{} depth {}: {:.2g} % (95 % interval {:.2g} to {:.2g} %){}\n",
+               depth == target["depth"].get<int>() ? "+" : "-", depth, 100 * one["bias"].get<double>(),
+               100 * one["bias_interval"][0].get<double>(), 100 * one["bias_interval"][1].get<double>(),
+               one["cost"].is_null() ? "" : fmt::format(", {:.2f} of the rays", one["cost"].get<double>()));
+  }
+  if (target["bounces"].empty()) fmt::print("  all bounces are kept\n");
+}
+
 /// Adds what is measured to the report: all of it, unless a signal stops it.
 void measure(const PlanArguments& arguments, const options::RenderOptions& render_options, const Plan& plan,
              Json& report, Diagnostics& diagnostics) {
@@ -209,7 +251,11 @@ ExitCode plan(const PlanArguments& arguments) {
     if (scene && compile_settings) {
       planned = job::render_plan(*scene, *compile_settings, *render_options, diagnostics);
     }
-    if (planned) report = report_of(*scene, *planned, diagnostics);
+    if (planned) {
+      const Json target = target_error_of(*render_options, planned->plan, diagnostics);
+      report = report_of(*scene, *planned, diagnostics);
+      report["target_error"] = target;
+    }
     if (planned && arguments.measures && diagnostics.error_count() == 0) {
       measure(arguments, *render_options, planned->plan, report, diagnostics);
     }
@@ -218,6 +264,7 @@ ExitCode plan(const PlanArguments& arguments) {
   if (diagnostics.error_count() > 0) return ExitCode::BadInput;
   if (arguments.json) fmt::print("{}\n", json_text(report, arguments.progress == "json"));
   if (!arguments.json) print_text(report);
+  if (!arguments.json && !report["target_error"].is_null()) print_target_error(report["target_error"]);
   if (!arguments.json && arguments.measures) print_measurement(report["measurement"]);
   return ExitCode::Done;
 }

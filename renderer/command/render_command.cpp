@@ -25,6 +25,7 @@
 #include "renderer/job/non_finite.h"
 #include "renderer/job/render_fingerprint.h"
 #include "renderer/job/render_job.h"
+#include "renderer/job/target_pilot.h"
 #include "renderer/parallel/loops.h"
 #include "renderer/transport/part_merge.h"
 #include "renderer/transport/render.h"
@@ -74,6 +75,7 @@ nlohmann::json summary_of(const transport::Render& render,
   summary["paths_per_second"] = static_cast<double>(render.path_count()) / seconds;
   summary["rays_per_second"] = static_cast<double>(render.ray_count()) / seconds;
   add_estimate(estimate, summary);
+  add_bias(render.settings().bias, summary);
   summary["peak_memory_bytes"] = peak_memory_bytes();
   add_plan(plan, summary);
   return summary;
@@ -201,6 +203,7 @@ std::optional<job::RenderJob> prepare(const RenderOptions& render_options,
   if (!checkpoint.empty() && !can_write_file(checkpoint, "checkpoint", diagnostics)) return std::nullopt;
   auto job = job::render_job(render_options, diagnostics);
   if (job && task) job->settings.part = task->part;
+  if (job) job::truncate_paths(render_options, *job);
   return job;
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +17,7 @@
 #include "renderer/command/render_run.h"
 #include "renderer/job/camera_path.h"
 #include "renderer/job/render_job.h"
+#include "renderer/job/target_pilot.h"
 #include "renderer/parallel/loops.h"
 
 namespace command {
@@ -45,35 +48,59 @@ RenderSettings without_limits(RenderSettings settings) {
   return settings;
 }
 
-/// A short render that measures the cost of a path, and the probe, which is sized by that.
+/// A short render that measures the cost of a path, and the probe, which is sized by that; for the target
+/// errors whose renders have the same paths.
 struct Probe {
+  RenderSettings settings;
+  std::vector<double> targets;
   std::optional<Render> trial;
   std::optional<Render> render;
 };
 
-/// Shows the forecasts of a probe that is still running: where other programs are busy, it takes long.
-void show_progress(const Render& probe, const std::optional<double>& target_error, double seconds,
-                   ProgressReport& report) {
-  if (!report.is_due()) return;
-  const std::vector<transport::ErrorCheck> checks = probe.checks();
-  if (checks.size() < FewestChecks) return;
-  transport::RenderProgress progress;
-  progress.seconds = checks.back().seconds;
-  progress.done = std::min(0.99, progress.seconds / seconds);
-  progress.estimated_error = checks.back().estimate.error;
-  if (report.has_forecasts()) {
-    progress.forecasts = probe.forecasts(transport::forecast_targets(target_error));
+/// Returns the probes for some targets, in the order of these.
+std::deque<Probe> probes_for(const std::vector<double>& targets,
+                             const std::vector<transport::Truncation>& pilot,
+                             const RenderSettings& settings) {
+  std::deque<Probe> probes;
+  for (const double target : targets) {
+    RenderSettings own = settings;
+    if (const auto truncation = transport::truncation_for(pilot, target)) follow(*truncation, own);
+    if (probes.empty() || own.integrator.depth != probes.back().settings.integrator.depth) {
+      probes.emplace_back().settings = std::move(own);
+    }
+    probes.back().targets.push_back(target);
   }
-  report.show(progress);
+  return probes;
+}
+
+/// Shows the forecasts of probes, of which the last one is still running: where other programs are busy, it
+/// takes long.
+void show_progress(const std::deque<Probe>& probes, double seconds, ProgressReport& report) {
+  if (!report.is_due()) return;
+  transport::RenderProgress progress;
+  for (const Probe& probe : probes) {
+    if (!probe.render) break;
+    const std::vector<transport::ErrorCheck> checks = probe.render->checks();
+    if (checks.size() < FewestChecks) break;
+    progress.seconds += checks.back().seconds;
+    progress.estimated_error = with_bias(checks.back().estimate, probe.settings.bias).error;
+    if (!report.has_forecasts()) continue;
+    for (const TargetForecast& forecast : probe.render->forecasts(probe.targets)) {
+      progress.forecasts.push_back(forecast);
+    }
+  }
+  progress.done = std::min(0.99, progress.seconds / seconds);
+  if (progress.estimated_error) report.show(progress);
 }
 
 /// Renders a probe that takes about this many seconds of the processor per thread, unless a signal stops it.
-void run_probe(const job::RenderJob& job, double seconds, SignalHandler& signal_handler,
-               ProgressReport& report, Probe& probe) {
-  RenderSettings settings = without_limits(job.settings);
+template <class Show>
+void run_probe(const transport::CompiledScene& scene, double seconds, SignalHandler& signal_handler,
+               Probe& probe, const Show& show) {
+  RenderSettings settings = without_limits(probe.settings);
   settings.probe = {TrialTiles, seconds};
   settings.samples = TrialSamples;
-  probe.trial.emplace(job.scene, settings);
+  probe.trial.emplace(scene, settings);
   run_watched(*probe.trial, signal_handler, [] {});
   if (signal_handler.was_signalled()) return;
   const transport::ErrorCheck trial = probe.trial->checks().back();
@@ -83,9 +110,8 @@ void run_probe(const job::RenderJob& job, double seconds, SignalHandler& signal_
   settings.probe = {static_cast<int>(std::clamp<double>(affordable, std::min(LeastTiles, all), all)),
                     seconds - trial.seconds};
   settings.samples = RenderSettings::Unlimited;
-  probe.render.emplace(job.scene, settings);
-  run_watched(*probe.render, signal_handler,
-              [&] { show_progress(*probe.render, job.settings.target_error, seconds, report); });
+  probe.render.emplace(scene, settings);
+  run_watched(*probe.render, signal_handler, show);
 }
 
 struct ForecastReport {
@@ -148,7 +174,7 @@ bool can_forecast(const RenderSettings& settings, Diagnostics& diagnostics) {
 
 ExitCode forecast(const RenderArguments& arguments, RenderOptions render_options, const Diagnostics& before) {
   const auto start = std::chrono::steady_clock::now();
-  Probe probe;
+  std::deque<Probe> probes;
   SignalHandler signal_handler;  // destroyed before the renders that it stops
   Diagnostics diagnostics = before;
   const std::vector<int> frames = job::frames_of(render_options);
@@ -157,18 +183,26 @@ ExitCode forecast(const RenderArguments& arguments, RenderOptions render_options
   const bool is_possible = job && can_forecast(job->settings, diagnostics);
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (!is_possible) return ExitCode::BadInput;
+  probes = probes_for(transport::forecast_targets(job->settings.target_error),
+                      job::target_pilot(render_options, *job), job->settings);
   const double setup_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   ProgressReport progress(progress_style_of(arguments.progress));
-  run_probe(*job, arguments.forecast_seconds, signal_handler, progress, probe);
-  if (signal_handler.was_signalled()) return ExitCode::Interrupted;
-  const ForecastReport report = {
-      arguments.scene,
-      *probe.render,
-      setup_seconds,
-      std::max(1, static_cast<int>(frames.size())),
-      arguments.progress == "json",
-      probe.render->forecasts(transport::forecast_targets(job->settings.target_error))};
+  std::vector<TargetForecast> forecasts;
+  for (Probe& probe : probes) {
+    run_probe(job->scene, arguments.forecast_seconds / static_cast<double>(probes.size()), signal_handler,
+              probe, [&] { show_progress(probes, arguments.forecast_seconds, progress); });
+    if (signal_handler.was_signalled()) return ExitCode::Interrupted;
+    for (const TargetForecast& forecast : probe.render->forecasts(probe.targets)) {
+      forecasts.push_back(forecast);
+    }
+  }
+  const ForecastReport report = {arguments.scene,
+                                 *probes.back().render,
+                                 setup_seconds,
+                                 std::max(1, static_cast<int>(frames.size())),
+                                 arguments.progress == "json",
+                                 forecasts};
   arguments.json ? print_json(report) : print_text(report);
   return ExitCode::Done;
 }

@@ -422,7 +422,8 @@ void Coordinator::update_progress() {
   if (!done_.empty() && Clock::now() >= next_estimate_) {
     const auto start = Clock::now();
     const auto estimate = merge_.film().error_estimate();
-    progress_.error = estimate ? std::optional(estimate->error) : std::nullopt;
+    progress_.error.reset();
+    if (estimate) progress_.error = transport::with_bias(*estimate, job_.job->settings.bias).error;
     next_estimate_ = later_by(Clock::now() - start);
   }
   progress_.time = std::time(nullptr);

@@ -8,6 +8,7 @@
 #include "renderer/farm/stages.h"
 #include "renderer/job/job_file.h"
 #include "renderer/job/render_fingerprint.h"
+#include "renderer/job/target_pilot.h"
 #include "renderer/options/op_file.h"
 
 namespace farm {
@@ -50,6 +51,7 @@ std::unique_ptr<OpenedJob> open_job(const std::string& path, Diagnostics& diagno
   if (render_options) {
     forget_outputs(*render_options);
     if (can_divide(*render_options, of_scene)) opened->job = job::render_job(*render_options, of_scene);
+    if (opened->job) job::truncate_paths(*render_options, *opened->job);
   }
   for (const grf::Diagnostic& entry : of_scene.entries()) {
     if (entry.severity == grf::Severity::Error) diagnostics.error(entry.location, entry.message);

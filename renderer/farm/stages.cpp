@@ -19,7 +19,8 @@ bool is_complete(const RenderSettings& settings, int end, const Film& film) {
   if (end == settings.samples) return true;
   if (!settings.target_error) return false;
   const auto sampled = film.sampled_error();
-  return sampled && transport::error_against_target(sampled->estimate) <= *settings.target_error;
+  return sampled && transport::error_against_target(transport::with_bias(sampled->estimate, settings.bias)) <=
+                        *settings.target_error;
 }
 
 /// Returns the sample counts of each tile at this many samples per pixel.

@@ -152,7 +152,7 @@ std::vector<OptionInfo> effect_options() {
        "effects to leave out of these, comma-separated"},
       {"BPT_Kernel", "--kernel", WordOption{&Options::kernel, {"auto", "full"}}, "word", "auto",
        "auto: build, load and run only what the scene, the options and the view need, as `bpt plan` shows; "
-       "full: everything, for the same image in more time"},
+       "full: everything, for the same image in more time, also with a target error"},
   };
 }
 
@@ -163,7 +163,9 @@ std::vector<OptionInfo> running_options() {
   return {
       {"BPT_TargetError", "--target-error", Limit{&Options::target_error, 0, 1000, true}, "float", "none",
        "stop when the estimated error, sqrt(relMSE) of the image, is at most this: 0.02 is 2 %; without "
-       "BPT_Samples, the number of samples is unlimited"},
+       "BPT_Samples, the number of samples is unlimited; bounces that the error does not call for are left "
+       "out, "
+       "see `bpt plan`"},
       {"BPT_Adaptive", "--adaptive", BooleanOption<bool>{&Options::adaptive}, "bool", "false",
        "adaptive sampling, without bias: more samples where the error is larger; BPT_Samples is then the "
        "mean "

@@ -144,6 +144,11 @@ double student_quantile(double freedom) {
                                            v * (((3 * Z2 + 19) * Z2 + 17) * Z2 - 15) / 384)));
 }
 
+ErrorEstimate with_bias(const ErrorEstimate& noise, const ErrorEstimate& bias) {
+  return {std::hypot(noise.error, bias.error), std::hypot(noise.low, bias.low),
+          std::hypot(noise.high, bias.high)};
+}
+
 std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums) {
   if (!(sums.values > 0)) return std::nullopt;
   const Supplement edges = errors_of(sums.edges);

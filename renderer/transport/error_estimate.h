@@ -53,4 +53,8 @@ double student_quantile(double freedom);
 /// bound leaves out values that agree well.
 std::optional<ErrorEstimate> error_estimate_of(const ErrorSums& sums);
 
+/// Returns the error of an image that differs from the truth by noise and by a bias: the noise has mean 0, so
+/// the squares add up.
+ErrorEstimate with_bias(const ErrorEstimate& noise, const ErrorEstimate& bias);
+
 }  // namespace transport

@@ -100,6 +100,15 @@ double error_against_target(const ErrorEstimate& estimate) {
   return std::max(estimate.error, estimate.high / TargetErrorMargin);
 }
 
+bool is_negligible(const ErrorEstimate& bias, double target_error) {
+  return bias.high <= BiasPart * target_error;
+}
+
+double noise_target(double target_error, const ErrorEstimate& bias) {
+  const double part = error_against_target(bias) / target_error;
+  return target_error * std::sqrt(1 - part * part);
+}
+
 int error_check_from(int samples) {
   std::int64_t check = 16;
   while (check < samples) check += std::max<std::int64_t>(4, (check / 5 + 1) / 2 * 2);

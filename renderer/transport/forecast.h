@@ -16,14 +16,23 @@ constexpr double TargetErrorMargin = 1.15;
 /// Returns the value that a target error limits: the estimated error, or its upper bound less the margin.
 double error_against_target(const ErrorEstimate& estimate);
 
+/// The largest part of a target error that a bias may be.
+constexpr double BiasPart = 0.25;
+
+/// Returns whether the upper bound of a bias is at most `BiasPart` of a target error.
+bool is_negligible(const ErrorEstimate& bias, double target_error);
+
+/// Returns what a target error leaves to noise, beside a negligible bias.
+double noise_target(double target_error, const ErrorEstimate& bias);
+
 /// Returns the first sample count, not less than this, at which a render with a target checks its error. They
 /// grow by a fifth each time.
 int error_check_from(int samples);
 
 /// A check of a render's error.
 struct ErrorCheck {
-  double samples = 0;  ///< per pixel
-  ErrorEstimate estimate;
+  double samples = 0;      ///< per pixel
+  ErrorEstimate estimate;  ///< without a bias
   /// Standard deviation of the estimate's logarithm because only some tiles of the image were rendered.
   double sampling_deviation = 0;
   double seconds = 0;        ///< of rendering until then, without checks

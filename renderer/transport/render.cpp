@@ -174,6 +174,7 @@ bool Render::run_stage(int samples) {
 std::optional<ErrorEstimate> Render::error_estimate() const {
   std::optional<ErrorEstimate> estimate;
   parallel::run_with_threads(settings_.threads, [&] { estimate = film_.error_estimate(); });
+  if (estimate) estimate = with_bias(*estimate, settings_.bias);
   return estimate;
 }
 
@@ -189,7 +190,8 @@ RenderEnd Render::check_error(int samples) {
                      before + end - now});
   if (settings_.probe && end >= settings_.probe->seconds) return RenderEnd::Time;
   const bool is_reached =
-      settings_.target_error && error_against_target(sampled->estimate) <= *settings_.target_error;
+      settings_.target_error &&
+      error_against_target(with_bias(sampled->estimate, settings_.bias)) <= *settings_.target_error;
   return is_reached ? RenderEnd::TargetError : RenderEnd::NotYet;
 }
 
@@ -290,11 +292,12 @@ Rgb Render::sample(Kernel kernel, int crop_x, int crop_y, int scrambling, std::u
   return kernel(scene_, settings_.integrator, ray, backplate_at(image_x, image_y), sampler, counter);
 }
 
-void Render::contributions_of(int x, int y, int scrambling, std::uint32_t number,
-                              std::vector<Contribution>& contributions) const {
+std::uint64_t Render::contributions_of(int x, int y, int scrambling, std::uint32_t number,
+                                       std::vector<Contribution>& contributions) const {
   RayCounter counter;
   counter.contributions = &contributions;
   sample(observing_kernel_of(scene_, settings_.integrator), x, y, scrambling, number, counter);
+  return counter.rays;
 }
 
 std::optional<NotFinite> Render::cause_of_rejection() const {

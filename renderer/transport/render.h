@@ -52,6 +52,8 @@ struct RenderSettings {
   bool adaptive = false;
   /// Stops once the estimated error is at most this, and its upper bound at most `ErrorMargin` times this.
   std::optional<double> target_error;
+  /// The error of the image's expected value, because light is left out; it is part of each stated error.
+  ErrorEstimate bias;
   std::optional<double> max_seconds;  ///< stops after this time, with the samples so far
   std::optional<ProbeSettings> probe;
   /// Only these samples are rendered. Of an adaptive image, they are samples of the pilot, of whole tiles,
@@ -145,9 +147,9 @@ class Render {
   /// has returned; empty if there are no such samples.
   std::optional<NotFinite> cause_of_rejection() const;
   /// Lists what a sample of a pixel consists of, by sequence `scrambling` of the pixel, any number of which
-  /// are independent. Needs no `run`; the integrator must be `Path`.
-  void contributions_of(int x, int y, int scrambling, std::uint32_t number,
-                        std::vector<Contribution>& contributions) const;
+  /// are independent, and returns the number of its rays. Needs no `run`; the integrator must be `Path`.
+  std::uint64_t contributions_of(int x, int y, int scrambling, std::uint32_t number,
+                                 std::vector<Contribution>& contributions) const;
   /// The mean over pixels.
   double samples_per_pixel() const;
 
@@ -161,8 +163,8 @@ class Render {
 
   /// Must be called once `run` has returned; before that, only sizes and bounds are valid.
   const Film& film() const { return film_; }
-  /// Returns the film's error estimate, computed on the threads of the settings. To be called once `run` has
-  /// returned.
+  /// Returns the film's error estimate with the bias of the settings, computed on their threads. To be called
+  /// once `run` has returned.
   std::optional<ErrorEstimate> error_estimate() const;
 
   /// The error checks so far: of a render with a target error, or a probe.
@@ -170,7 +172,8 @@ class Render {
   /// The part of the image's pixels that is rendered: less than 1 for a probe.
   double rendered_fraction() const;
   /// Forecasts the render of the whole image until each of these errors, without a limit of samples or time,
-  /// in seconds of rendering from its start. Empty while too little is known.
+  /// in seconds of rendering from its start. Empty while too little is known. An error is left out if the
+  /// bias of the settings is too large a part of it, so that its render would have another one.
   std::vector<TargetForecast> forecasts(const std::vector<double>& target_errors) const;
 
  private:

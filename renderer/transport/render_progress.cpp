@@ -42,7 +42,8 @@ std::vector<TargetForecast> Render::forecasts(const std::vector<double>& target_
   if (!forecast || !cost) return {};
   std::vector<TargetForecast> forecasts;
   for (const double target : target_errors) {
-    const ForecastValue samples = forecast->samples_for(target);
+    if (!is_negligible(settings_.bias, target)) continue;
+    const ForecastValue samples = forecast->samples_for(noise_target(target, settings_.bias));
     forecasts.push_back({target, samples, cost->seconds_for(samples)});
   }
   return forecasts;
@@ -80,7 +81,7 @@ ForecastValue Render::samples_needed(double samples) const {
   }
   const auto forecast = this->forecast();
   if (!forecast) return {limit, limit, limit};
-  const ForecastValue needed = forecast->samples_for(*settings_.target_error);
+  const ForecastValue needed = forecast->samples_for(noise_target(*settings_.target_error, settings_.bias));
   const std::lock_guard lock(totals_lock_);
   needed_ = {basis,
              {std::min(limit, needed.median), std::min(limit, needed.low), std::min(limit, needed.high)}};
@@ -98,7 +99,7 @@ RenderProgress Render::progress() const {
     restored = static_cast<double>(restored_paths_) / pixel_count();
     estimate = error_estimate_of(error_sums_);
   }
-  if (estimate) progress.estimated_error = estimate->error;
+  if (estimate) progress.estimated_error = with_bias(*estimate, settings_.bias).error;
   const RenderEnd end = end_;
   if (end != RenderEnd::NotYet && end != RenderEnd::Stopped) {
     progress.done = 1;

@@ -187,4 +187,75 @@ TEST_F(BptPlanMeasured, PrintsLinesAndWritesImages) {
   EXPECT_NE(text.out.find("background              100.0 % (100.0 to 100.0)"), std::string::npos) << text.out;
 }
 
+/// A closed room of white walls that glow: each bounce looks the same.
+class BptPlanOfATarget : public Bpt {
+ protected:
+  BptPlanOfATarget() {
+    write("room.grf",
+          "begin mesh brdf diffuse kd=0.6 begin vertexs (-1,-1,-1) (1,-1,-1) (1,1,-1) (-1,1,-1) (-1,-1,1) "
+          "(1,-1,1) (1,1,1) (-1,1,1) end vertexs begin faces light rgb (1,1,1) (0,1,2,3) (4,7,6,5) (0,4,5,1) "
+          "(2,6,7,3) (0,3,7,4) (1,5,6,2) end faces end mesh");
+    op_ = write(
+        "room.op",
+        "BPT_Scene room.grf\nBPT_Image_Resolution 64 48\nBPT_Viewer 0 0 0.9\nBPT_VLook 0 0 0\nBPT_Depth 4\n");
+  }
+
+  json run(std::vector<std::string> arguments) const {
+    arguments.push_back("--json");
+    const Outcome outcome = bpt(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out);
+  }
+
+  json render(std::vector<std::string> flags) const {
+    flags.insert(flags.begin(), {"render", op_, "--output", path("room.pfm")});
+    return run(flags);
+  }
+
+  std::string op_;
+};
+
+TEST_F(BptPlanOfATarget, SaysWhichBouncesItLeavesOut) {
+  EXPECT_EQ(run({"plan", op_})["target_error"], nullptr);
+  const json report = run({"plan", op_, "--target-error", "0.1"});
+  const json& target = report["target_error"];
+  EXPECT_NEAR(target["target"].get<double>(), 0.1, 1e-6);
+  EXPECT_EQ(target["bias_part"], 0.25);
+  EXPECT_EQ(target["depth"], 1);
+  ASSERT_EQ(target["bounces"].size(), 3U);
+  const json& direct = target["bounces"][0];
+  EXPECT_EQ(direct["depth"], 1);
+  EXPECT_LT(direct["bias_interval"][1], 0.025);
+  EXPECT_NEAR(direct["last_bounce_factor"][0].get<double>(), 1 + 0.6 + 0.36 + 0.216, 0.05);
+  EXPECT_EQ(report["depth"], 1);
+  EXPECT_EQ(report["saved"]["scatterings"], 3);
+  EXPECT_THAT(report["why_depth"].get<std::string>(),
+              testing::HasSubstr("less than 25 % of the target error"));
+  const Outcome text = bpt({"plan", op_, "--target-error", "0.1"});
+  EXPECT_THAT(text.out, testing::HasSubstr("target error 10 %, of which the bias may be 2.5 %"));
+  EXPECT_THAT(text.out, testing::HasSubstr("\n+ depth 1: "));
+}
+
+TEST_F(BptPlanOfATarget, IsWhatARenderDoes) {
+  const json summary = render({"--target-error", "0.1"});
+  ASSERT_EQ(summary["left_out"].back()["name"], "bounces 2 to 4");
+  EXPECT_GT(summary["bias_interval"][1], 0);
+  EXPECT_LT(summary["bias_interval"][1], 0.025);
+  EXPECT_LE(summary["estimated_error"], 0.1);
+}
+
+// A render may go on from a checkpoint to a smaller target, for which all bounces could be needed.
+TEST_F(BptPlanOfATarget, LeavesOutNothingWhereAllIsNeeded) {
+  for (const std::vector<std::string>& flags :
+       {std::vector<std::string>{"--samples", "16"},
+        {"--target-error", "0.1", "--kernel", "full"},
+        {"--target-error", "0.1", "--checkpoint", path("room.checkpoint")}}) {
+    const json summary = render(flags);
+    EXPECT_EQ(summary["bias"], 0);
+    for (const json& one : summary["left_out"]) {
+      EXPECT_EQ(one["name"].get<std::string>().find("bounces"), std::string::npos) << one;
+    }
+  }
+}
+
 }  // namespace

@@ -1,11 +1,15 @@
 // Long statistical tests of the error estimate and adaptive sampling, over many seeds. In the environment,
 // ERROR_SEEDS=20 runs fewer seeds, and ERROR_SCENES=7 replaces the clock as the seed of random scenes.
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "renderer/transport/truncation.h"
 #include "tests/transport/bright_scenes.h"
 #include "tests/transport/error_study.h"
 
@@ -103,6 +107,93 @@ TEST(TargetError, HoldsOver200SeedsOfFourScenes) {
   EXPECT_GT(all.stated_over_true(), 0.87);
   EXPECT_LT(all.stated_over_true(), 1.3);
   EXPECT_LE(all.missed_fraction(), 0.07);
+}
+
+/// A room of random walls, lit by the one behind the eye, and open at a random side or at none.
+test::SampleScene random_room(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  std::string text = fmt::format("light begin rgb ({0},{0},{0}) ({1},{2},0.99) (0,0.5,0) (0.5,0,0) end ",
+                                 uniform(1, 10), uniform(-0.9, 0.4), uniform(-0.9, 0.4));
+  const std::array walls = {"(-1,-1,1) (1,-1,1) (1,-1,-1) (-1,-1,-1)", "(-1,1,-1) (1,1,-1) (1,1,1) (-1,1,1)",
+                            "(-1,-1,1) (-1,-1,-1) (-1,1,-1) (-1,1,1)", "(1,-1,-1) (1,-1,1) (1,1,1) (1,1,-1)",
+                            "(-1,-1,-1) (1,-1,-1) (1,1,-1) (-1,1,-1)", "(1,-1,1) (-1,-1,1) (-1,1,1) (1,1,1)"};
+  const auto open = static_cast<std::size_t>(uniform(0, 8));
+  for (std::size_t wall = 0; wall < walls.size(); ++wall) {
+    if (wall == open) continue;
+    const std::string brdf = uniform(0, 1) < 0.3
+                                 ? fmt::format("brdf ward sx={0} sy={0} ks=0.4 kd=0.4", uniform(0.1, 0.4))
+                                 : fmt::format("brdf diffuse kd={}", uniform(0.3, 0.9));
+    const std::string colour =
+        fmt::format(" rgb ({},{},{})", uniform(0.2, 1), uniform(0.2, 1), uniform(0.2, 1));
+    text += test::quad(brdf + colour, walls[wall]);
+  }
+  test::RenderSetup setup;
+  setup.eye = transport::Vec3f(0, 0, 0.95F);
+  setup.field_of_view = 80;
+  setup.width = 48;
+  setup.height = 32;
+  setup.depth = 3 + static_cast<int>(seed % 12);
+  setup.background = open < walls.size() ? static_cast<float>(uniform(0.1, 2)) : 0;
+  return {fmt::format("room {}", seed), test::scene_of(text), test::settings_of(setup)};
+}
+
+/// Studies renders that stop at a target error, with paths that are truncated for it, against images of all
+/// bounces.
+void study_truncated(const test::SampleScene& scene, double target, int seeds, test::ErrorStudy& study,
+                     double& mean_depth) {
+  constexpr int Samples = 64;
+  test::ErrorStudy of_all_bounces;
+  const test::StudiedScene studied = test::study_intervals(scene, seeds, Samples, of_all_bounces);
+  transport::RenderSettings settings = scene.settings;
+  settings.samples = transport::RenderSettings::Unlimited;
+  settings.target_error = target;
+  for (int seed = 0; seed < seeds; ++seed) {
+    settings.seed = static_cast<std::uint32_t>(1'000'000 + seed);
+    transport::RenderSettings truncated = settings;
+    const auto truncations = truncations_of(scene.scene, settings);
+    if (const auto truncation = truncation_for(truncations, target)) follow(*truncation, truncated);
+    mean_depth += truncated.integrator.depth / static_cast<double>(seeds);
+    transport::Render render(scene.scene, truncated);
+    render.run();
+    const double share = render.samples_per_pixel() / Samples;
+    const double error = std::sqrt(studied.images.relmse(render.film().mean(), false, share));
+    const transport::ErrorEstimate stated = *render.error_estimate();
+    ++study.runs;
+    study.inside += error >= stated.low && error <= stated.high ? 1 : 0;
+    study.above += error > stated.high ? 1 : 0;
+    study.quotients += stated.error / error;
+    study.widths += stated.high / stated.low;
+    ++study.stopped;
+    study.missed += error > transport::RenderSettings::ErrorMargin * target ? 1 : 0;
+  }
+}
+
+TEST(TargetError, HoldsWithTruncatedPaths) {
+  const int seeds = static_cast<int>(from_environment("ERROR_SEEDS", 50));
+  const unsigned first = from_environment("ERROR_SCENES", std::random_device()() % 1'000'000);
+  std::vector<test::SampleScene> scenes = test::error_scenes();
+  for (unsigned i = 0; i < 12; ++i) scenes.push_back(random_room(first + i));
+  test::ErrorStudy all;
+  int truncated = 0;
+  for (const test::SampleScene& scene : scenes) {
+    for (const double target : {0.1, 0.05}) {
+      test::ErrorStudy own;
+      double depth = 0;
+      study_truncated(scene, target, seeds, own, depth);
+      print_study(fmt::format("{} {} depth {:.1f} of {}", scene.name.substr(scene.name.rfind('/') + 1),
+                              target, depth, scene.settings.integrator.depth),
+                  own);
+      truncated += depth < scene.settings.integrator.depth ? 1 : 0;
+      all += own;
+    }
+  }
+  print_study("all", all);
+  EXPECT_GE(truncated, 16) << "few scenes were truncated";
+  EXPECT_GE(all.coverage(), 0.93) << "ERROR_SCENES=" << first;
+  EXPECT_LE(all.missed_fraction(), 0.05) << "ERROR_SCENES=" << first;
 }
 
 // With probability 1/1,000, one of 144 blocks is off by 4.5 standard deviations.

@@ -26,7 +26,9 @@ struct IntegratorSettings {
   std::shared_ptr<const EnvironmentMap> environment;
   /// Estimates the environment map's light by resampling at every hit. `Path` only.
   std::optional<reflectance::Resampling> resampling;
-  int depth = 5;             ///< maximum number of bounces: 0 emission only, 1 direct light only
+  int depth = 5;  ///< maximum number of bounces: 0 emission only, 1 direct light only
+  /// A factor of the light that reaches the eye after `depth` bounces; `Path` only. See Truncation.
+  Rgb last_bounce_factor = Rgb(1);
   int secondary_rays = 100;  ///< per first hit; `Naive` only
   /// Split count: the number of paths that continue from the first hit on a non-specular surface, if more
   /// than direct light may follow; `Path` only. Indirect light varies more than direct light, and splitting

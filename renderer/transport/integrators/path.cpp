@@ -358,6 +358,8 @@ Rgb Path<Has>::run(const std::optional<Rgb>& backplate, int bounces) {
     const bool splits = settings_.split_count > 1 && may_split_ && reflector->has_nonspecular_part() &&
                         bounces + 1 < settings_.depth;
     split_count_ = splits ? settings_.split_count : 1;
+    // From here on, the path collects light of `depth` bounces alone.
+    if (bounces + 1 == settings_.depth) throughput_ *= settings_.last_bounce_factor;
     const SamplePair xi = sampler_.next_two();
     add_direct_light(shading, xi.first);
     if constexpr (Has.resampling) {
