@@ -38,11 +38,11 @@ std::vector<bool> tiles_of_probe(const Film& film, int count) {
 }  // namespace
 
 int stage_end(const RenderSettings& settings, int samples) {
-  const bool checks_error = settings.target_error || settings.probe;
   int end = settings.samples;
   if (settings.is_adaptive() && samples <= Pilot) {
     end = samples <= Pilot / 2 ? Pilot / 2 : Pilot;
-  } else if (checks_error || (settings.is_adaptive() && settings.samples == RenderSettings::Unlimited)) {
+  } else if (settings.checks_error() ||
+             (settings.is_adaptive() && settings.samples == RenderSettings::Unlimited)) {
     end = error_check_from(samples);
   }
   return std::min(end, settings.samples);
@@ -116,7 +116,7 @@ RenderEnd Render::run_stages() {
     samples = stage_from(samples);
     if (samples < settings_.samples && exceeds(samples)) continue;  // an earlier run got beyond this
     if (!run_stage(samples)) return stopped_ ? RenderEnd::Stopped : RenderEnd::Time;
-    if (checks_error()) {
+    if (settings_.checks_error()) {
       const RenderEnd end = check_error(samples);
       if (end != RenderEnd::NotYet) return end;
     }

@@ -69,6 +69,8 @@ struct RenderSettings {
 
   /// Whether samples are placed adaptively.
   bool is_adaptive() const { return adaptive && pixel_sampling == PixelSampling::Sobol; }
+  /// Whether the error is checked after each stage.
+  bool checks_error() const { return target_error || probe; }
 };
 
 /// Returns where the stage of a whole image ends that begins with this many samples per pixel or fewer. After
@@ -187,7 +189,6 @@ class Render {
   bool exceeds(int samples) const;
   bool has_pilot() const;
   bool run_stage(int samples);
-  bool checks_error() const { return settings_.target_error || settings_.probe; }
   RenderEnd check_error(int samples);
   void work(TileQueue& queue);
   bool render_tile(const TileWork& work, FilmTile& tile);
