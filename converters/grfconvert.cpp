@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "command_line/manual.h"
+#include "confinement/confinement.h"
 #include "converters/command/arguments.h"
 #include "converters/command/check.h"
 #include "converters/command/info.h"
@@ -28,7 +29,10 @@ constexpr command_line::ManualText Manual = {
         "Mitsuba. "
         "Formats are "
         "detected. What a format cannot hold is listed as lost.\n\n"
-        "Files are read in a process of their own, with limits of memory and time.",
+        "Each file is read in a process of its own, with limits of memory and time. It reads only files in "
+        "the "
+        "folder of the input and the one above it, writes only into the folder of the output, and has no "
+        "network (see --readable).",
     .examples =
         "Convert a model\ngrfconvert model.obj -o model.grf\n"
         "Convert a folder, each file in a process of its own\ngrfconvert *.obj -o scenes/ --jobs 0\n"
@@ -46,7 +50,8 @@ ExitCode run(const CLI::App& app, const Arguments& arguments) {
     const convert::CheckOptions options = {arguments.deep, arguments.json, arguments.quiet};
     return convert::check_files(arguments.inputs, options, arguments.limits);
   }
-  if (app.got_subcommand("tidy")) return convert::tidy_files(arguments.inputs, arguments.quiet);
+  if (app.got_subcommand("tidy"))
+    return convert::tidy_files(arguments.inputs, arguments.quiet, arguments.limits);
   if (!app.got_subcommand("info")) {
     const auto options = convert::batch_options(arguments);
     return options ? convert::convert_files(*options) : ExitCode::BadCommandLine;
@@ -63,7 +68,10 @@ int main(int argc, char** argv) {
     CLI::App app("", "grfconvert");
     Arguments arguments;
     convert::define_command_line(app, arguments);
-    app.set_version_flag("--version", "grfconvert " GRANADA_VERSION);
+    app.set_version_flag("--version", [] {
+      return fmt::format("grfconvert {}\nReading of untrusted files: {}", GRANADA_VERSION,
+                         confinement::description(confinement::available()));
+    });
     command_line::add_manual_option(app, Manual);
     try {
       app.parse(argc, argv);

@@ -43,6 +43,14 @@ class Descriptor {
 
 std::string reason() { return std::generic_category().message(errno); }
 
+/// Returns the reason for an error of opening a file to read. A process may be confined to other folders than
+/// its user.
+std::string reason_of_reading(const std::string& path) {
+  const std::string usual = reason();
+  return errno == EACCES && ::access(path.c_str(), R_OK) == 0 ? "it is outside of the folders that are read"
+                                                              : usual;
+}
+
 std::string what_it_is(const struct stat& status) {
   if (S_ISDIR(status.st_mode)) return "a directory";
   if (S_ISFIFO(status.st_mode)) return "a pipe";
@@ -71,7 +79,7 @@ class FileToRead {
     const std::string why = has_changed_ ? "it was changed while it was read"
                             : is_open_ && !is_regular()
                                 ? fmt::format("it is {}, expected a file", what_it_is(status_))
-                                : reason();
+                                : reason_of_reading(path_);
     return asked_for_at.file ? fmt::format("cannot read '{}': {}", path_, why)
                              : fmt::format("cannot read the file: {}", why);
   }

@@ -43,6 +43,16 @@ void add_limit_options(CLI::App& command, Arguments& arguments) {
       ->capture_default_str();
 }
 
+void add_readable_option(CLI::App& command, Arguments& arguments) {
+  command
+      .add_option(
+          "--readable", arguments.limits.readable,
+          "Folder that the input may name files in, besides its own and the one above it; may be repeated")
+      ->type_name("FOLDER")
+      ->check(CLI::ExistingPath)
+      ->allow_extra_args(false);
+}
+
 void add_quiet_option(CLI::App& command, Arguments& arguments) {
   command.add_flag("-q,--quiet", arguments.quiet, "Print only errors");
 }
@@ -119,6 +129,7 @@ void define_conversion(CLI::App& app, Arguments& arguments) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   add_limit_options(app, arguments);
+  add_readable_option(app, arguments);
   app.add_flag("--dry-run", arguments.dry_run, "Read, convert and report everything, but write no files");
   app.add_flag("--progress", arguments.progress, "Show progress");
   add_quiet_option(app, arguments);
@@ -131,6 +142,7 @@ void define_info(CLI::App& app, Arguments& arguments) {
   add_json_option(*info, arguments);
   add_input_options(*info, arguments);
   add_limit_options(*info, arguments);
+  add_readable_option(*info, arguments);
   add_quiet_option(*info, arguments);
 }
 
@@ -143,12 +155,15 @@ void define_check(CLI::App& app, Arguments& arguments) {
       "fronts, energy gain, duplicates, meshes far from the middle of the scene");
   add_json_option(*check, arguments);
   add_limit_options(*check, arguments);
+  add_readable_option(*check, arguments);
   add_quiet_option(*check, arguments);
 }
 
 void define_tidy(CLI::App& app, Arguments& arguments) {
   CLI::App* tidy = app.add_subcommand("tidy", "Reformat GRF files in the standard style");
   tidy->add_option("FILE", arguments.inputs, "Files to reformat")->required();
+  add_limit_options(*tidy, arguments);
+  add_readable_option(*tidy, arguments);
   add_quiet_option(*tidy, arguments);
 }
 
@@ -292,7 +307,7 @@ std::optional<BatchOptions> batch_options(const Arguments& arguments) {
   options.each.operations.smooth = arguments.smooth;
   options.each.operations.triangulate = arguments.triangulate;
   options.each.operations.decimate = arguments.decimate;
-  options.each.dry_run = arguments.dry_run;
+  options.dry_run = arguments.dry_run;
   options.each.quiet = arguments.quiet;
   options.each.json = arguments.json;
   return options;

@@ -12,9 +12,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "confinement/confinement.h"
 #include "converters/command/file_work.h"
 #include "converters/command/progress.h"
 #include "converters/wording.h"
+#include "grf/short_lived_folder.h"
 #include "grf/text_file.h"
 
 namespace convert {
@@ -106,7 +108,7 @@ class Report {
     } else if (!options_.each.quiet) {
       const std::size_t count = options_.inputs.size();
       fmt::print("{} of {} files {}{}\n", count - failed_.size(), count,
-                 options_.each.dry_run ? "can be converted (not written: --dry-run)" : "converted",
+                 options_.dry_run ? "can be converted (not written: --dry-run)" : "converted",
                  failed_.empty() ? "" : fmt::format("; failed: {}", listed(failed_)));
     }
   }
@@ -130,9 +132,9 @@ bool is_folder_of_outputs(const BatchOptions& options) {
 
 ExitCode convert_files(const BatchOptions& options) {
   std::string problem;
-  const std::vector<ConvertOptions> conversions = conversions_of(options, problem);
+  std::vector<ConvertOptions> conversions = conversions_of(options, problem);
   if (!problem.empty()) return bad_command_line(problem);
-  const bool needs_folder = is_folder_of_outputs(options) && !options.each.dry_run;
+  const bool needs_folder = is_folder_of_outputs(options) && !options.dry_run;
   if (needs_folder && !make_folder(options.output)) return ExitCode::BadInput;
 
   Report report(options);
@@ -140,7 +142,16 @@ ExitCode convert_files(const BatchOptions& options) {
   work.inputs = options.inputs;
   work.at_once = options.jobs > 0 ? options.jobs : std::max(std::thread::hardware_concurrency(), 1U);
   work.limits = options.limits;
-  for (const ConvertOptions& conversion : conversions) work.outputs.push_back(conversion.output);
+  if (!options.each.writing.op_file.empty()) {
+    for (std::string& path : confinement::paths_around(options.each.writing.op_file))
+      work.limits.readable.push_back(std::move(path));
+  }
+  std::optional<grf::ShortLivedFolder> dry_run_folder;
+  if (options.dry_run) dry_run_folder.emplace("grfconvert");
+  for (ConvertOptions& conversion : conversions) {
+    if (dry_run_folder) conversion.dry_run_folder = dry_run_folder->path().string();
+    work.outputs.push_back(written_path(conversion));
+  }
   work.work = [&](std::size_t file) { return convert_file(conversions[file]); };
   work.before_errors = [&](const FileWork::Result&) { report.clear(); };
   work.done = [&](const FileWork::Result& result) { report.add(result); };

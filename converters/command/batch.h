@@ -15,6 +15,7 @@ struct BatchOptions {
   ConvertOptions each;   ///< options per file, except the paths of input and output
   std::size_t jobs = 1;  ///< number of parallel processes; 0: one per core
   bool progress = false;
+  bool dry_run = false;  ///< write no file
   Limits limits;
 };
 

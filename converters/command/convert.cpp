@@ -16,7 +16,6 @@
 #include "converters/scene_building.h"
 #include "converters/wording.h"
 #include "grf/relocate.h"
-#include "grf/short_lived_folder.h"
 #include "grf/text_file.h"
 #include "grf/visit.h"
 #include "renderer/image/image.h"
@@ -35,6 +34,8 @@ std::string formats_with(Function Format::*function) {
   }
   return names;
 }
+
+bool is_dry_run(const ConvertOptions& options) { return !options.dry_run_folder.empty(); }
 
 bool is_same_file(const std::string& a, const std::string& b) {
   return grf::canonical_path(a) == grf::canonical_path(b);
@@ -117,13 +118,12 @@ void say_of(const std::string& path, const grf::Diagnostics& said, grf::Diagnost
   }
 }
 
-/// Writes to a temporary folder, for a dry run, to get the diagnostics of writing.
+/// Writes to the folder of a dry run to get the diagnostics of writing.
 std::optional<WrittenFiles> try_to_write_all(grf::Scene& scene, const std::vector<EmbeddedFile>& embedded,
                                              const ConvertOptions& options, grf::Diagnostics& diagnostics) {
-  const grf::ShortLivedFolder folder("grfconvert");
   ConvertOptions elsewhere = options;
   elsewhere.output_format = output_format(options);
-  elsewhere.output = (folder.path() / std::filesystem::path(options.output).filename()).string();
+  elsewhere.output = written_path(options);
   grf::Diagnostics said;
   const auto written = write_all(scene, embedded, elsewhere, said);
   say_of(options.output, said, diagnostics);
@@ -204,14 +204,15 @@ Counts counts_of(const grf::Scene& scene) {
 
 void print_result(const ConvertOptions& options, const Counts& counts) {
   fmt::print("{}: {}, {}{}\n", options.output, counted(counts.meshes, "mesh", "meshes"),
-             counted(counts.faces, "face", "faces"), options.dry_run ? " (not written: --dry-run)" : "");
+             counted(counts.faces, "face", "faces"), is_dry_run(options) ? " (not written: --dry-run)" : "");
 }
 
 void print_record(const ConvertOptions& options, const Counts& counts, const WrittenFiles& files,
                   const grf::Diagnostics& diagnostics) {
   nlohmann::ordered_json json;
   json["input"] = options.input.path;
-  json["output"] = options.dry_run ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(options.output);
+  json["output"] =
+      is_dry_run(options) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(options.output);
   json["format"] = output_format(options)->name;
   json["meshes"] = counts.meshes;
   json["faces"] = counts.faces;
@@ -226,6 +227,11 @@ void print_record(const ConvertOptions& options, const Counts& counts, const Wri
 const Format* output_format(const ConvertOptions& options) {
   if (options.output_format == nullptr && is_op_file(options.output)) return find_format("grf");
   return options.output_format != nullptr ? options.output_format : format_of_name(options.output);
+}
+
+std::string written_path(const ConvertOptions& options) {
+  if (!is_dry_run(options)) return options.output;
+  return (std::filesystem::path(options.dry_run_folder) / grf::file_name(options.output)).string();
 }
 
 std::string problem_of(const ConvertOptions& options) {
@@ -281,9 +287,9 @@ ExitCode convert_file(const ConvertOptions& given) {
     if (op_output.empty()) report_cameras(cameras.size(), options, diagnostics);
     grf::Scene scene = changed(std::move(input->import), options, diagnostics);
     counts = counts_of(scene);
-    const auto write = options.dry_run ? &try_to_write_all : &write_all;
+    const auto write = is_dry_run(options) ? &try_to_write_all : &write_all;
     if (diagnostics.error_count() == 0) files = write(scene, embedded, options, diagnostics);
-    if (files && !op_output.empty() && !options.dry_run) {
+    if (files && !op_output.empty() && !is_dry_run(options)) {
       files->paths.push_back(op_output);
       if (!write_op_file(op_output, options.output, cameras, diagnostics)) files.reset();
     }

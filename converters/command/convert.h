@@ -19,13 +19,16 @@ struct ConvertOptions {
   MeshOperations operations;
   std::vector<grf::TransformStep> placement;  ///< transform of the whole scene
   WriteOptions writing;
-  bool dry_run = false;  ///< write no file
+  std::string dry_run_folder;  ///< write there, only to find problems; empty: write the output
   bool quiet = false;
   bool json = false;
 };
 
 /// Returns the format of the output, or null.
 const Format* output_format(const ConvertOptions& options);
+
+/// Returns the path that is written: the output, or a file of the same name in the folder of a dry run.
+std::string written_path(const ConvertOptions& options);
 
 /// Validates the options, whatever the input is: returns an error message, or an empty string.
 std::string problem_of(const ConvertOptions& options);

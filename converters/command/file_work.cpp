@@ -4,9 +4,11 @@
 #include <cstring>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "confinement/confinement.h"
 #include "grf/text_file.h"
 
 namespace convert {
@@ -39,6 +41,19 @@ std::string folder_of(const std::string& path) {
   return std::filesystem::path(grf::canonical_path(path)).parent_path().string();
 }
 
+/// Returns what the child for a file may use: what is around its input, and around its output what it might
+/// replace. The shared libraries are loaded by now.
+confinement::Policy policy_for(const FileWork& work, std::size_t file) {
+  confinement::Policy policy;
+  policy.readable = confinement::paths_around(work.inputs[file]);
+  policy.readable.insert(policy.readable.end(), work.limits.readable.begin(), work.limits.readable.end());
+  if (work.outputs.empty()) return policy;
+  const std::string& output = work.outputs[file];
+  for (std::string& path : confinement::paths_beside(output)) policy.readable.push_back(std::move(path));
+  policy.writable.push_back(folder_of(output));
+  return policy;
+}
+
 FileWork::Result result_of(std::size_t file, const ChildExit& child_exit) {
   FileWork::Result result;
   result.file = file;
@@ -55,6 +70,8 @@ ExitCode run(const FileWork& work) {
   Jobs jobs;
   jobs.count = work.inputs.size();
   jobs.at_once = work.at_once;
+  // libseccomp crashes if it runs out of memory.
+  jobs.prepare = [&work](std::size_t file) { confinement::confine(policy_for(work, file)); };
   jobs.work = work.work;
   jobs.ended = [&](std::size_t file, const ChildExit& child_exit) {
     const FileWork::Result result = result_of(file, child_exit);

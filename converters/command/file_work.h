@@ -10,7 +10,8 @@
 
 namespace convert {
 
-/// A command's work on several files, each in a child process of its own.
+/// A command's work on several files, each in a child process of its own that reads only what is around its
+/// input, and writes only into the folder of its output.
 struct FileWork {
   std::vector<std::string> inputs;
   std::vector<std::string> outputs;  ///< one per input, or empty if nothing is written

@@ -200,6 +200,7 @@ class Supervisor {
       ::dup2(child.out.descriptor(), STDOUT_FILENO);
       ::dup2(child.err.descriptor(), STDERR_FILENO);
       signals_.release();
+      jobs_.prepare(child.job);
       limit_resources(limits_);
       work_and_exit(jobs_, child.job);
     }

@@ -14,10 +14,11 @@
 
 namespace convert {
 
-/// Resource limits of one child. 0: no limit.
+/// Limits of one child. 0: no limit.
 struct Limits {
   std::uint64_t memory = std::uint64_t(4) << 30U;  ///< bytes of address space; ignored under sanitizers
   double seconds = 600;                            ///< wall-clock time
+  std::vector<std::string> readable;  ///< files and folders that a FileWork reads besides those of its files
 };
 
 /// The exit status and output of a child process.
@@ -41,6 +42,8 @@ struct Jobs {
   std::size_t count = 0;
   std::size_t at_once = 1;  ///< maximum number of concurrent children
 
+  /// Called in the child before its memory is limited, and before `work`.
+  std::function<void(std::size_t job)> prepare = [](std::size_t) {};
   /// Called in the child. If it throws std::bad_alloc, the child ends as OutOfMemory; the message of any
   /// other exception is printed as an error, and the code is BadInput.
   std::function<grf::ExitCode(std::size_t job)> work;

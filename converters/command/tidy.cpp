@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "converters/command/file_work.h"
 #include "converters/format.h"
 #include "grf/read.h"
 #include "grf/text_file.h"
@@ -28,21 +29,25 @@ Outcome tidy(const std::string& path, grf::Diagnostics& diagnostics) {
   return grf::write(*scene, path, diagnostics) ? Outcome::Tidied : Outcome::Failed;
 }
 
+ExitCode tidy_file(const std::string& path, bool quiet) {
+  grf::Diagnostics diagnostics;
+  const Outcome outcome = tidy(path, diagnostics);
+  print(diagnostics, quiet);
+  if (outcome == Outcome::Failed) return ExitCode::BadInput;
+  if (!quiet) fmt::print("{}: {}\n", path, outcome == Outcome::Tidied ? "tidied" : "already tidy");
+  return ExitCode::Done;
+}
+
 }  // namespace
 
-ExitCode tidy_files(const std::vector<std::string>& paths, bool quiet) {
-  ExitCode code = ExitCode::Done;
-  for (const std::string& path : paths) {
-    grf::Diagnostics diagnostics;
-    const Outcome outcome = tidy(path, diagnostics);
-    print(diagnostics, quiet);
-    if (outcome == Outcome::Failed) {
-      code = ExitCode::BadInput;
-    } else if (!quiet) {
-      fmt::print("{}: {}\n", path, outcome == Outcome::Tidied ? "tidied" : "already tidy");
-    }
-  }
-  return code;
+ExitCode tidy_files(const std::vector<std::string>& paths, bool quiet, const Limits& limits) {
+  FileWork work;
+  work.inputs = paths;
+  work.outputs = paths;
+  work.limits = limits;
+  work.work = [&](std::size_t file) { return tidy_file(paths[file], quiet); };
+  work.done = [](const FileWork::Result& result) { fmt::print("{}", result.out); };
+  return run(work);
 }
 
 }  // namespace convert

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "command_line/manual.h"
+#include "confinement/confinement.h"
 #include "renderer/command/bake_command.h"
 #include "renderer/command/brdf_command.h"
 #include "renderer/command/brdf_fit_options.h"
@@ -429,7 +430,10 @@ ExitCode run(int argc, char** argv) {
   add_cost(app, cost_arguments);
   command::SkyArguments sky_arguments;
   add_sky(app, sky_arguments);
-  app.set_version_flag("--version", "bpt " GRANADA_VERSION);
+  app.set_version_flag("--version", [] {
+    return fmt::format("bpt {}\nDecoding of untrusted images: {}", GRANADA_VERSION,
+                       confinement::description(confinement::available()));
+  });
   command_line::add_manual_option(app, Manual);
   try {
     app.parse(with_command(argc, argv, app));

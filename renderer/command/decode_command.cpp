@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "confinement/confinement.h"
 #include "grf/diagnostics.h"
 #include "renderer/image/encoders.h"
 #include "renderer/image/image_file.h"
@@ -43,6 +44,7 @@ ExitCode decode(const DecodeArguments& arguments) {
     fmt::print(stderr, "{}\n", why);
     return ExitCode::BadInput;
   };
+  confinement::confine({{arguments.image}, {}});
   try {
     grf::Diagnostics diagnostics;
     std::optional<image::ImageFile> file;

@@ -1,6 +1,13 @@
+#include <array>
+#include <fstream>
 #include <string>
 #include <string_view>
 
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "confinement/confinement.h"
 #include "renderer/image/image_file.h"
 #include "tests/cli/bpt.h"
 
@@ -98,6 +105,38 @@ TEST_F(BptDecode, SaysWhyItCannot) {
   expect_error(path("none.pfm"), "cannot read the file: No such file or directory");
   expect_error(folder_.path(), "cannot read the file: it is a directory, expected a file");
   EXPECT_EQ(bpt({"decode"}).exit_code, 2);
+}
+
+/// Returns the line of a process's status (proc(5)) that begins with the key; empty if it has ended.
+std::string status_of(pid_t process, std::string_view key) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  std::string line;
+  while (std::getline(status, line)) {
+    if (line.starts_with(key)) return line;
+  }
+  return {};
+}
+
+// It waits at the full pipe, confined.
+TEST_F(BptDecode, IsConfined) {
+  if (!confinement::available().has_seccomp) GTEST_SKIP();
+  const std::string image =
+      write("image.pfm", "Pf\n256 256\n-1\n" + std::string(256 * 256 * sizeof(float), '\0'));
+  std::array<int, 2> ends = {};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  const pid_t process = ::fork();
+  ASSERT_GE(process, 0);
+  if (process == 0) {
+    ::dup2(ends[1], STDOUT_FILENO);
+    ::execl(GRANADA_BIN_DIR "/bpt", "bpt", "decode", image.c_str(), nullptr);
+    ::_exit(1);
+  }
+  pollfd has_begun = {ends[0], POLLIN, 0};
+  EXPECT_EQ(::poll(&has_begun, 1, 60'000), 1);
+  EXPECT_EQ(status_of(process, "Seccomp:"), "Seccomp:\t2");  // with a filter
+  EXPECT_EQ(status_of(process, "NoNewPrivs:"), "NoNewPrivs:\t1");
+  for (const int end : ends) ::close(end);
+  ::waitpid(process, nullptr, 0);
 }
 
 }  // namespace
