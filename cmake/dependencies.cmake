@@ -36,3 +36,15 @@ if(Qt6_FOUND)
   find_package(QCustomPlotQt6 REQUIRED)
   find_package(muparser REQUIRED)
 endif()
+
+# Defines GRANADA_LIBRARIES for the version of a program: its main libraries, as pairs of names and versions. The list
+# of all, with their licences, is in share/doc/granada/sbom.spdx.json.
+function(granada_name_libraries target)
+  set(libraries "")
+  while(ARGN)
+    list(POP_FRONT ARGN name version)
+    list(APPEND libraries "${name} ${version}")
+  endwhile()
+  list(JOIN libraries ", " libraries)
+  target_compile_definitions(${target} PRIVATE "GRANADA_LIBRARIES=\"${libraries}\"")
+endfunction()

@@ -44,8 +44,28 @@ function(granada_install_format_manual name title document)
   install(FILES ${output} DESTINATION ${CMAKE_INSTALL_MANDIR}/man5 COMPONENT granada)
 endfunction()
 
-# Puts the licence, the changes and, as Debian's own packages have it, the copyright into a package's documents.
+# Lists the libraries in the programs of a package, where Debian's packages are known.
+function(granada_install_sbom component package)
+  find_program(DPKG_QUERY dpkg-query)
+  find_package(Python3 QUIET COMPONENTS Interpreter)
+  if(NOT ARGN OR NOT DPKG_QUERY OR NOT Python3_FOUND)
+    return()
+  endif()
+  set(programs ${ARGN})
+  list(TRANSFORM programs REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+  set(output ${PROJECT_BINARY_DIR}/packages/${package}/sbom.spdx.json)
+  add_custom_command(OUTPUT ${output}
+    COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/packages/make_sbom ${PROJECT_SOURCE_DIR} ${PROJECT_VERSION}
+      ${GRANADA_DATE} ${package} ${output} ${programs}
+    DEPENDS ${ARGN} ${PROJECT_SOURCE_DIR}/packages/make_sbom ${PROJECT_SOURCE_DIR}/scripts/setup VERBATIM)
+  add_custom_target(${package}_sbom ALL DEPENDS ${output})
+  install(FILES ${output} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
+endfunction()
+
+# Puts the licence, the changes and, as Debian's own packages have it, the copyright into a package's documents; of
+# programs, what they contain.
 function(granada_install_documents component package)
+  granada_install_sbom(${component} ${package} ${ARGN})
   set(folder ${PROJECT_BINARY_DIR}/packages/${package})
   add_custom_command(OUTPUT ${folder}/changelog.gz ${folder}/copyright
     COMMAND ${PROJECT_SOURCE_DIR}/packages/make_documents ${PROJECT_SOURCE_DIR} ${PROJECT_VERSION} ${GRANADA_DATE} ${folder}
@@ -60,7 +80,7 @@ endfunction()
 macro(granada_define_packages)
   granada_install_format_manual(grf "text format of scenes with a BRDF per face" grf/FORMAT.md)
   granada_install_format_manual(op "render options of bpt" renderer/OPTIONS.md)
-  granada_install_documents(granada granada)
+  granada_install_documents(granada granada bpt grfconvert)
   granada_install_documents(samples granada-samples)
 
   set(CPACK_GENERATOR DEB)
@@ -96,7 +116,7 @@ macro(granada_define_packages)
   set(CPACK_DEBIAN_SAMPLES_PACKAGE_RECOMMENDS granada)
 
   if(TARGET wannabe)
-    granada_install_documents(wannabe granada-wannabe)
+    granada_install_documents(wannabe granada-wannabe wannabe)
     list(APPEND CPACK_COMPONENTS_ALL wannabe)
     set(CPACK_DEBIAN_WANNABE_PACKAGE_NAME granada-wannabe)
     set(CPACK_DEBIAN_WANNABE_DESCRIPTION "editor for scenes with exact reflectance

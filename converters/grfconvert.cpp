@@ -69,7 +69,8 @@ int main(int argc, char** argv) {
     Arguments arguments;
     convert::define_command_line(app, arguments);
     app.set_version_flag("--version", [] {
-      return fmt::format("grfconvert {}\nReading of untrusted files: {}", GRANADA_VERSION,
+      return fmt::format("grfconvert {} (Apache-2.0)\nLibraries: {}\nReading of untrusted files: {}",
+                         GRANADA_VERSION, GRANADA_LIBRARIES,
                          confinement::description(confinement::available()));
     });
     command_line::add_manual_option(app, Manual);

@@ -4165,8 +4165,8 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
         <translation>Versión y licencia</translation>
     </message>
     <message>
-        <source>wannabe %1, the scene editor of Granada. Apache-2.0.</source>
-        <translation>wannabe %1, el editor de escenas de Granada. Apache-2.0.</translation>
+        <source>wannabe %1, the scene editor of Granada. Its sources are under Apache-2.0; the program contains QCustomPlot and is under GPL-3.0. It uses Qt %2 (LGPL-3.0). All libraries with their licences: share/doc/granada-wannabe/sbom.spdx.json.</source>
+        <translation>wannabe %1, el editor de escenas de Granada. Su código está bajo Apache-2.0; el programa contiene QCustomPlot y está bajo GPL-3.0. Usa Qt %2 (LGPL-3.0). Todas las bibliotecas con sus licencias: share/doc/granada-wannabe/sbom.spdx.json.</translation>
     </message>
     <message>
         <source>Language, theme, units, shortcuts, undo, threads, autosave</source>

@@ -255,7 +255,10 @@ void MainWindow::make_help_menu() {
   help->addAction(new_action(*this, {tr("&About wannabe"), {}, {}, tr("Version and licence")}, [this] {
     notice_->show_notice(
         NoticeBar::Kind::Information,
-        tr("wannabe %1, the scene editor of Granada. Apache-2.0.").arg(QApplication::applicationVersion()));
+        tr("wannabe %1, the scene editor of Granada. Its sources are under Apache-2.0; the program contains "
+           "QCustomPlot and is under GPL-3.0. It uses Qt %2 (LGPL-3.0). All libraries with "
+           "their licences: share/doc/granada-wannabe/sbom.spdx.json.")
+            .arg(QApplication::applicationVersion(), qVersion()));
   }));
 }
 

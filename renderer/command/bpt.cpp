@@ -431,8 +431,9 @@ ExitCode run(int argc, char** argv) {
   command::SkyArguments sky_arguments;
   add_sky(app, sky_arguments);
   app.set_version_flag("--version", [] {
-    return fmt::format("bpt {}\nDecoding of untrusted images: {}", GRANADA_VERSION,
-                       confinement::description(confinement::available()));
+    return fmt::format(
+        "bpt {} (GPL-3.0; its sources are under Apache-2.0)\nLibraries: {}\nDecoding of untrusted images: {}",
+        GRANADA_VERSION, GRANADA_LIBRARIES, confinement::description(confinement::available()));
   });
   command_line::add_manual_option(app, Manual);
   try {
