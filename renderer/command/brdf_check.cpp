@@ -14,9 +14,9 @@
 #include "renderer/plot/brdf_charts.h"
 #include "renderer/plot/colour_scale.h"
 #include "renderer/plot/svg.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/reflectance/plausibility.h"
 #include "renderer/studies/angles.h"
-#include "renderer/studies/brdf_instance.h"
 
 namespace command {
 namespace {
@@ -128,7 +128,7 @@ plot::Svg picture_of(const Reflector& reflector, const Plausibility& found, cons
 
 ExitCode check_brdf(const BrdfArguments& arguments) {
   const auto reflector = printed(
-      [&](Diagnostics& diagnostics) { return studies::read_instance(arguments.instance, diagnostics); });
+      [&](Diagnostics& diagnostics) { return reflectance::read_instance(arguments.instance, diagnostics); });
   if (!reflector) return ExitCode::BadInput;
   const Plausibility found = reflectance::check_plausibility(reflector->brdf());
   if (!arguments.output.empty()) {

@@ -22,9 +22,9 @@
 #include "renderer/image/image.h"
 #include "renderer/plot/svg.h"
 #include "renderer/reflectance/albedo.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/reflectance/spectrum.h"
-#include "renderer/studies/brdf_instance.h"
 #include "renderer/studies/study.h"
 
 namespace command {
@@ -38,7 +38,7 @@ using reflectance::Vec3f;
 
 std::optional<Reflector> reflector_of(const BrdfArguments& arguments) {
   return printed(
-      [&](Diagnostics& diagnostics) { return studies::read_instance(arguments.instance, diagnostics); });
+      [&](Diagnostics& diagnostics) { return reflectance::read_instance(arguments.instance, diagnostics); });
 }
 
 std::optional<Vec3f> direction_option(const std::string& text, const char* option) {
@@ -252,7 +252,7 @@ ExitCode plot_brdf(const BrdfArguments& arguments) {
       views.push_back(*view);
     }
     const auto instance = printed([&](Diagnostics& reading) {
-      return studies::read_sampled_instance(arguments.instance, arguments.pdf, reading);
+      return reflectance::read_sampled_instance(arguments.instance, arguments.pdf, reading);
     });
     if (!instance) return ExitCode::BadInput;
     picture = picture_of_sampling(*instance, arguments.instance, arguments.pdf, views);

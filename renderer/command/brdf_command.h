@@ -11,7 +11,7 @@
 namespace command {
 
 struct BrdfArguments {
-  std::string instance;            ///< see studies::read_instance
+  std::string instance;            ///< see reflectance::read_instance
   std::string view;                ///< view direction, `theta,phi` in radians; phi may be left out
   std::string light;               ///< light direction, likewise
   std::vector<float> wavelengths;  ///< for `eval`, in nanometres; empty: those of the BRDF, if it has any

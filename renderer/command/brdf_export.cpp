@@ -13,10 +13,10 @@
 #include "renderer/command/printed.h"
 #include "renderer/image/image.h"
 #include "renderer/reflectance/albedo.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/reflectance/merl_table.h"
 #include "renderer/reflectance/rgl_export.h"
 #include "renderer/reflectance/spectrum.h"
-#include "renderer/studies/brdf_instance.h"
 
 namespace command {
 namespace {
@@ -137,7 +137,7 @@ std::optional<Exported> write_rgl(const Reflector& reflector, const BrdfArgument
 
 ExitCode export_brdf(const BrdfArguments& arguments) {
   const auto reflector = printed(
-      [&](Diagnostics& diagnostics) { return studies::read_instance(arguments.instance, diagnostics); });
+      [&](Diagnostics& diagnostics) { return reflectance::read_instance(arguments.instance, diagnostics); });
   if (!reflector) return ExitCode::BadInput;
   Diagnostics diagnostics;
   const bool is_rgl = image::has_extension(arguments.output, "bsdf");

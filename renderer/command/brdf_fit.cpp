@@ -15,7 +15,7 @@
 #include "renderer/command/printed.h"
 #include "renderer/fit/fit.h"
 #include "renderer/image/image.h"
-#include "renderer/studies/brdf_instance.h"
+#include "renderer/reflectance/brdf_instance.h"
 
 namespace command {
 namespace {
@@ -29,7 +29,7 @@ constexpr std::size_t UsualPairs = 4000;
 constexpr std::size_t UsualCells = 20'000;
 
 std::optional<reflectance::Brdf> read_data_as_brdf(const std::string& data, Diagnostics& diagnostics) {
-  const auto reflector = studies::read_instance(data, diagnostics);
+  const auto reflector = reflectance::read_instance(data, diagnostics);
   return reflector ? std::optional(reflector->brdf()) : std::nullopt;
 }
 

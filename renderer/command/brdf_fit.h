@@ -10,7 +10,7 @@
 namespace command {
 
 struct BrdfFitArguments {
-  std::string data;  ///< a CSV, MERL or RGL file, or an instance; see studies::read_instance
+  std::string data;  ///< a CSV, MERL or RGL file, or an instance; see reflectance::read_instance
   std::string targets;
   std::size_t lobes = 1;
   std::string metric = "cuberoot";

@@ -9,7 +9,7 @@
 #include "renderer/command/directions.h"
 #include "renderer/command/json_values.h"
 #include "renderer/command/printed.h"
-#include "renderer/studies/brdf_instance.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/studies/drawn_samples.h"
 #include "renderer/studies/fit_samples.h"
 
@@ -17,10 +17,10 @@ namespace command {
 namespace {
 
 using grf::ExitCode;
+using reflectance::SampledInstance;
 using reflectance::ScatterSample;
 using reflectance::Vec3f;
 using studies::DrawnSamples;
-using studies::SampledInstance;
 
 /// Writes samples as JSON. `pdfs` and `values` leave out the specular (delta) part, with 0 as its pdf.
 nlohmann::ordered_json to_json(const SampledInstance& instance, const Vec3f& u, const DrawnSamples& drawn) {
@@ -71,7 +71,7 @@ ExitCode sample_brdf(const BrdfArguments& arguments) {
   const auto view = angles_option(arguments.view, "--u");
   if (!view) return ExitCode::BadCommandLine;
   const auto instance = printed([&](grf::Diagnostics& diagnostics) {
-    return studies::read_sampled_instance(arguments.instance, arguments.pdf, diagnostics);
+    return reflectance::read_sampled_instance(arguments.instance, arguments.pdf, diagnostics);
   });
   if (!instance) return ExitCode::BadInput;
   const Vec3f u = direction_of(*view);

@@ -21,10 +21,10 @@ namespace {
 
 using plot::Anchor;
 using plot::Point;
+using reflectance::SampledInstance;
 using reflectance::Vec3f;
 using studies::DiscMap;
 using studies::DrawnSamples;
-using studies::SampledInstance;
 using studies::WeightStatistics;
 
 constexpr double Width = 1200;

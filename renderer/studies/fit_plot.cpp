@@ -13,9 +13,9 @@
 #include "grf/write.h"
 #include "renderer/plot/chart.h"
 #include "renderer/plot/fit_file.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/reflectance/model.h"
 #include "renderer/studies/angles.h"
-#include "renderer/studies/brdf_instance.h"
 #include "renderer/studies/disc_plot.h"
 #include "renderer/studies/lobe_figure.h"
 
@@ -116,7 +116,7 @@ std::optional<ReadFit> read(const ToolState::File& file, bool with_cosine, grf::
                     fit->theta));
     return std::nullopt;
   }
-  const auto brdf = make_brdf(fit->brdf, diagnostics);
+  const auto brdf = reflectance::make_brdf(fit->brdf, diagnostics);
   if (!brdf) return std::nullopt;
   const Vec3f u = direction_of({fit->theta, fit->phi});
   ReadFit result{std::move(*fit), *brdf, u, grf::file_name(file.path), {}};

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "renderer/studies/brdf_instance.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/studies/study_cache.h"
 
 namespace studies {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "renderer/reflectance/albedo.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/studies/angles.h"
-#include "renderer/studies/brdf_instance.h"
 #include "renderer/studies/drawn_samples.h"
 #include "renderer/studies/environment/sampling.h"
 #include "renderer/studies/environment/view.h"
@@ -29,7 +29,7 @@ using test::filled;
 LitSurface surface_under(const Image& image, const std::string& brdf, const std::string& pdf,
                          double theta = 30, double phi = 0) {
   grf::Diagnostics diagnostics;
-  auto instance = studies::read_sampled_instance(brdf, pdf, diagnostics);
+  auto instance = reflectance::read_sampled_instance(brdf, pdf, diagnostics);
   if (!instance) throw std::runtime_error(diagnostics.to_text());
   return {std::make_shared<FilteredMap>(transport::EnvironmentMap(image), "test"),
           std::make_shared<reflectance::Reflector>(instance->reflector), reflectance::Frame(Vec3f(0, 1, 0)),

@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/studies/angles.h"
-#include "renderer/studies/brdf_instance.h"
 #include "tests/support/svg_reading.h"
 
 namespace {
@@ -68,7 +68,7 @@ constexpr double DiffuseValue = 0.5 / std::numbers::pi;
 /// The lobe of a BRDF seen along the normal, with one sample of this value there.
 studies::SampledLobe lobe_of(const std::string& instance, double value) {
   grf::Diagnostics diagnostics;
-  const auto reflector = studies::read_instance(instance, diagnostics);
+  const auto reflector = reflectance::read_instance(instance, diagnostics);
   if (!reflector) throw std::runtime_error(diagnostics.to_text());
   return {reflector->brdf(), {0, 0, 1}, {plot::Channel::Mean}, {{{{0, 0, 1}}, {value}, "#123456"}}};
 }

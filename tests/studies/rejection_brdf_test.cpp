@@ -9,7 +9,7 @@
 
 #include "renderer/plot/fit_file.h"
 #include "renderer/reflectance/albedo.h"
-#include "renderer/studies/brdf_instance.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/studies/rejection/disc.h"
 #include "tests/studies/rejection_study.h"
 
@@ -49,7 +49,7 @@ struct DiscOf {
 
   static reflectance::Reflector read(const std::string& instance) {
     grf::Diagnostics diagnostics;
-    return studies::read_instance(instance, diagnostics).value();
+    return reflectance::read_instance(instance, diagnostics).value();
   }
 };
 

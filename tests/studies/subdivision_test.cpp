@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "grf/read.h"
-#include "renderer/studies/brdf_instance.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/studies/drawn_samples.h"
 #include "renderer/studies/subdivision/subject.h"
 #include "tests/statistics/chi_square.h"
@@ -26,7 +26,7 @@ constexpr double Pi = std::numbers::pi;
 
 reflectance::Brdf brdf_of(const std::string& text) {
   grf::Diagnostics diagnostics;
-  return studies::make_brdf(grf::read_brdf(text, "BRDF", diagnostics).value(), diagnostics).value();
+  return reflectance::make_brdf(grf::read_brdf(text, "BRDF", diagnostics).value(), diagnostics).value();
 }
 
 Subdivision tree_of(const std::string& brdf, double theta, double phi,
@@ -183,7 +183,7 @@ TEST(GoodnessOfFit, AgreesWithTheTable) {
 }
 
 struct Sampled {
-  studies::SampledInstance instance;
+  reflectance::SampledInstance instance;
   Subdivision tree;
   Vec3f u;
 
@@ -192,9 +192,9 @@ struct Sampled {
         tree(instance.reflector.brdf(), Angles{theta * Degree, 0}, {2, 8, 200}),
         u(studies::direction_of({theta * Degree, 0})) {}
 
-  static studies::SampledInstance instance_of(const std::string& brdf, const std::string& pdf) {
+  static reflectance::SampledInstance instance_of(const std::string& brdf, const std::string& pdf) {
     grf::Diagnostics diagnostics;
-    return studies::read_sampled_instance(brdf, pdf, diagnostics).value();
+    return reflectance::read_sampled_instance(brdf, pdf, diagnostics).value();
   }
 
   /// Returns the p-value if samples should have a pdf.

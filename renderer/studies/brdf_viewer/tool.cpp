@@ -13,10 +13,10 @@
 #include "grf/write.h"
 #include "renderer/image/encoders.h"
 #include "renderer/plot/chart.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/reflectance/model.h"
 #include "renderer/reflectance/scheme.h"
 #include "renderer/studies/angles.h"
-#include "renderer/studies/brdf_instance.h"
 
 namespace studies {
 namespace {
@@ -232,7 +232,7 @@ std::optional<Study> make_study(const ToolState& state, const StudyContext& cont
   if (!files) return std::nullopt;
   std::array<LitBrdf, 2> brdfs;
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto brdf = make_brdf(state.brdfs[i], diagnostics, state.definitions);
+    const auto brdf = reflectance::make_brdf(state.brdfs[i], diagnostics, state.definitions);
     if (!brdf) return std::nullopt;
     brdfs[i] = lit_brdf(*brdf, settings.diffuseness, settings.specularity);
   }

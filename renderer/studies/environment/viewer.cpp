@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "renderer/reflectance/brdf.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/studies/angles.h"
-#include "renderer/studies/brdf_instance.h"
 #include "renderer/studies/environment/figure.h"
 #include "renderer/studies/fit_samples.h"
 #include "renderer/studies/reflector_cache.h"
@@ -29,9 +29,10 @@ Vec3f direction_under_y(double theta, double azimuth) {
 
 std::optional<LitSurface> lit_surface(const ToolState& state, const EnvironmentSettings& settings,
                                       const StudyContext& context, grf::Diagnostics& diagnostics) {
-  const auto brdf = make_brdf(state.brdfs.front(), diagnostics, state.definitions);
+  const auto brdf = reflectance::make_brdf(state.brdfs.front(), diagnostics, state.definitions);
   const auto scheme =
-      brdf ? make_scheme(state.pdfs.front(), *brdf, state.brdfs.front().keyword, diagnostics) : std::nullopt;
+      brdf ? reflectance::make_scheme(state.pdfs.front(), *brdf, state.brdfs.front().keyword, diagnostics)
+           : std::nullopt;
   if (!scheme) return std::nullopt;
   auto environment = open_environment(state, context.cache.get(), diagnostics);
   if (!environment) return std::nullopt;

@@ -9,7 +9,7 @@
 
 #include "grf/text_file.h"
 #include "grf/write.h"
-#include "renderer/studies/brdf_instance.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/studies/disc_plot.h"
 #include "renderer/studies/fit_samples.h"
 #include "renderer/studies/goodness_of_fit.h"
@@ -350,7 +350,7 @@ std::string described(const DiscResult& result, const Rectangle& slice, const Po
 
 std::optional<Study> disc_study(const ToolState& state, const RejectionToolSettings& settings,
                                 const StudyContext& context, grf::Diagnostics& diagnostics) {
-  const auto brdf = make_brdf(state.brdfs.front(), diagnostics, state.definitions);
+  const auto brdf = reflectance::make_brdf(state.brdfs.front(), diagnostics, state.definitions);
   if (!brdf) return std::nullopt;
   const auto view = reflectance::make<BrdfView>(*state.distribution);
   const auto result =

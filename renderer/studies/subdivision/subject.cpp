@@ -8,7 +8,7 @@
 #include "grf/text_file.h"
 #include "grf/write.h"
 #include "renderer/plot/fit_file.h"
-#include "renderer/studies/brdf_instance.h"
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/studies/reflector_cache.h"
 
 namespace studies {
@@ -31,7 +31,7 @@ std::optional<plot::FitFile> read_points(const ToolState::File& file, grf::Diagn
 std::optional<ViewedBrdf> viewed_brdf(const grf::BrdfModel& model,
                                       std::span<const grf::Definition> definitions, const Angles& view,
                                       grf::Diagnostics& diagnostics) {
-  auto brdf = make_brdf(model, diagnostics, definitions);
+  auto brdf = reflectance::make_brdf(model, diagnostics, definitions);
   if (!brdf) return std::nullopt;
   if (has_nonspecular_part(*brdf))
     return ViewedBrdf{model, identity_of(model, definitions), std::move(*brdf), view, direction_of(view)};
@@ -138,7 +138,7 @@ std::optional<SubdivisionSubject> subdivision_subject(const ToolState& state, co
                             {settings.theta * Degree, settings.phi * Degree}, diagnostics);
   if (!viewed) return std::nullopt;
   const grf::PdfModel& pdf = state.pdfs.front();
-  if (!make_scheme(pdf, viewed->brdf, viewed->model.keyword, diagnostics)) return std::nullopt;
+  if (!reflectance::make_scheme(pdf, viewed->brdf, viewed->model.keyword, diagnostics)) return std::nullopt;
   Subdivision tree = tree_of(*viewed, settings);
   SubdivisionSubject subject{settings, std::move(*viewed), std::move(tree), pdf};
   subject.cache = context.cache;

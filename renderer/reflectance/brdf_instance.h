@@ -9,29 +9,27 @@
 #include "grf/scene.h"
 #include "renderer/reflectance/reflector.h"
 
-namespace studies {
+namespace reflectance {
 
 /// Checks a BRDF and makes it ready for evaluation; returns nothing after an error. The terms of a `combine`
 /// are looked up in the definitions.
-std::optional<reflectance::Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& diagnostics,
-                                           std::span<const grf::Definition> definitions = {});
+std::optional<Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& diagnostics,
+                              std::span<const grf::Definition> definitions = {});
 
 /// Makes the sampling scheme of a `pdf`, without its tables; returns nothing after an error in it, or if it
 /// does not support the BRDF.
-std::optional<reflectance::Scheme> make_scheme(const grf::PdfModel& model, const reflectance::Brdf& brdf,
-                                               const std::string& brdf_keyword,
-                                               grf::Diagnostics& diagnostics);
+std::optional<Scheme> make_scheme(const grf::PdfModel& model, const Brdf& brdf,
+                                  const std::string& brdf_keyword, grf::Diagnostics& diagnostics);
 
 /// Reads a BRDF from a text such as `ward sx=0.2`, from the file of that name (text, or measured data of
 /// MERL, .binary, or RGL, .bsdf), or, if the text is `scene.grf:NAME`, from the first definition of that name
 /// in a scene; with its own sampler. Returns nothing after an error.
-std::optional<reflectance::Reflector> read_instance(const std::string& instance,
-                                                    grf::Diagnostics& diagnostics);
+std::optional<Reflector> read_instance(const std::string& instance, grf::Diagnostics& diagnostics);
 
 /// A BRDF with a sampling scheme.
 struct SampledInstance {
   grf::BrdfModel model;
-  reflectance::Reflector reflector;
+  Reflector reflector;
   double build_seconds = 0;  ///< build time of the scheme's tables
 };
 
@@ -41,7 +39,6 @@ std::optional<SampledInstance> read_sampled_instance(const std::string& instance
                                                      grf::Diagnostics& diagnostics);
 
 /// Builds the tables of a scheme for a BRDF, and measures how long that takes.
-SampledInstance sampled_instance(const grf::BrdfModel& model, const reflectance::Brdf& brdf,
-                                 const reflectance::Scheme& scheme);
+SampledInstance sampled_instance(const grf::BrdfModel& model, const Brdf& brdf, const Scheme& scheme);
 
-}  // namespace studies
+}  // namespace reflectance

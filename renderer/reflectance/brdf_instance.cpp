@@ -1,4 +1,4 @@
-#include "renderer/studies/brdf_instance.h"
+#include "renderer/reflectance/brdf_instance.h"
 
 #include <chrono>
 #include <filesystem>
@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "grf/keywords.h"
 #include "grf/read.h"
 #include "grf/text_file.h"
 #include "grf/visit.h"
-#include "renderer/image/image.h"
 #include "renderer/reflectance/brdf_maker.h"
 
-namespace studies {
+namespace reflectance {
 namespace {
 
 /// A BRDF and the definitions that it needs.
@@ -30,8 +30,9 @@ std::optional<Instance> without_definitions(std::optional<grf::BrdfModel> model)
 
 /// Returns the model of a file of measured data, by its extension; nothing for other files.
 std::optional<grf::BrdfModel> measured_model(const std::string& path) {
-  const bool is_merl = image::has_extension(path, "binary");
-  if (!is_merl && !image::has_extension(path, "bsdf")) return std::nullopt;
+  const std::string extension = grf::lower_case(std::filesystem::path(path).extension().string());
+  const bool is_merl = extension == ".binary";
+  if (!is_merl && extension != ".bsdf") return std::nullopt;
   grf::BrdfModel model;
   model.keyword = is_merl ? "measured" : "rgl";
   model.data_file = path;
@@ -74,45 +75,42 @@ std::optional<Instance> read_model(const std::string& instance, grf::Diagnostics
 
 }  // namespace
 
-std::optional<reflectance::Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& diagnostics,
-                                           std::span<const grf::Definition> definitions) {
-  if (!grf::check(model, reflectance::brdf_infos(), "BRDF", diagnostics)) return std::nullopt;
+std::optional<Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& diagnostics,
+                              std::span<const grf::Definition> definitions) {
+  if (!grf::check(model, brdf_infos(), "BRDF", diagnostics)) return std::nullopt;
   grf::ScopeStack stack;
   for (const grf::Definition& definition : definitions) {
     const auto& body = std::get<grf::BrdfModel>(definition.body);
-    if (!grf::check(body, reflectance::brdf_infos(), "BRDF", diagnostics)) return std::nullopt;
+    if (!grf::check(body, brdf_infos(), "BRDF", diagnostics)) return std::nullopt;
     stack.enter(definition);
   }
-  const auto brdf = reflectance::BrdfMaker(diagnostics).make(model, stack.scope());
+  const auto brdf = BrdfMaker(diagnostics).make(model, stack.scope());
   return brdf ? std::optional(*brdf) : std::nullopt;
 }
 
-std::optional<reflectance::Scheme> make_scheme(const grf::PdfModel& model, const reflectance::Brdf& brdf,
-                                               const std::string& brdf_keyword,
-                                               grf::Diagnostics& diagnostics) {
-  if (!grf::check(model, reflectance::scheme_infos(), "PDF", diagnostics)) return std::nullopt;
-  const reflectance::Scheme scheme = reflectance::make_scheme(model).value();
-  const std::string unsupported_reason = reflectance::unsupported_reason(scheme, brdf);
-  if (unsupported_reason.empty()) return scheme;
+std::optional<Scheme> make_scheme(const grf::PdfModel& model, const Brdf& brdf,
+                                  const std::string& brdf_keyword, grf::Diagnostics& diagnostics) {
+  if (!grf::check(model, scheme_infos(), "PDF", diagnostics)) return std::nullopt;
+  const Scheme scheme = make_scheme(model).value();
+  const std::string reason = unsupported_reason(scheme, brdf);
+  if (reason.empty()) return scheme;
   diagnostics.error(model.location, fmt::format("the scheme '{}' cannot sample the BRDF '{}': {}",
-                                                model.keyword, brdf_keyword, unsupported_reason));
+                                                model.keyword, brdf_keyword, reason));
   return std::nullopt;
 }
 
-SampledInstance sampled_instance(const grf::BrdfModel& model, const reflectance::Brdf& brdf,
-                                 const reflectance::Scheme& scheme) {
+SampledInstance sampled_instance(const grf::BrdfModel& model, const Brdf& brdf, const Scheme& scheme) {
   const auto start = std::chrono::steady_clock::now();
-  reflectance::Reflector reflector(brdf, scheme);
+  Reflector reflector(brdf, scheme);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   return {model, std::move(reflector), time.count()};
 }
 
-std::optional<reflectance::Reflector> read_instance(const std::string& instance,
-                                                    grf::Diagnostics& diagnostics) {
+std::optional<Reflector> read_instance(const std::string& instance, grf::Diagnostics& diagnostics) {
   const auto named = read_model(instance, diagnostics);
   const auto brdf = named ? make_brdf(named->model, diagnostics, named->definitions) : std::nullopt;
   if (!brdf) return std::nullopt;
-  return reflectance::Reflector(*brdf, reflectance::OwnScheme());
+  return Reflector(*brdf, OwnScheme());
 }
 
 std::optional<SampledInstance> read_sampled_instance(const std::string& instance, const std::string& pdf,
@@ -127,4 +125,4 @@ std::optional<SampledInstance> read_sampled_instance(const std::string& instance
   return sampled_instance(named->model, *brdf, *scheme);
 }
 
-}  // namespace studies
+}  // namespace reflectance
