@@ -6,15 +6,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "renderer/transport/error_map.h"
-#include "renderer/transport/integrators/feature_layers.h"
+#include "renderer/job/image_layers.h"
 
 namespace command {
 namespace {
 
 using grf::Diagnostics;
 using image::ImageAttribute;
-using image::ImageLayer;
 using options::RenderOptions;
 using transport::Film;
 
@@ -35,42 +33,6 @@ double mean_samples(const Film& film) {
     for (int x = 0; x < film.width(); ++x) sum += film.sample_count(x, y);
   }
   return sum / (static_cast<double>(film.width()) * film.height());
-}
-
-ImageLayer samples_layer(const Film& film) {
-  ImageLayer layer{"samples", "", {}};
-  for (int y = 0; y < film.height(); ++y) {
-    for (int x = 0; x < film.width(); ++x) {
-      layer.values.push_back(static_cast<float>(film.sample_count(x, y)));
-    }
-  }
-  return layer;
-}
-
-bool has(const std::vector<std::string>& layers, std::string_view name) {
-  return std::find(layers.begin(), layers.end(), name) != layers.end();
-}
-
-/// Computes the layers that need the scene.
-std::vector<ImageLayer> features_of(const transport::Render& render, const transport::CompiledScene& scene,
-                                    const RenderOptions& render_options) {
-  const auto& asked = render_options.layers;
-  std::vector<ImageLayer> layers;
-  if (!has(asked, "albedo") && !has(asked, "normal") && !has(asked, "depth")) return layers;
-  constexpr int FeatureSamples = 16;
-  const Film& film = render.film();
-  auto features = transport::feature_layers(scene, render.settings().view, film.width(), film.height(),
-                                            FeatureSamples, render_options.seed, render_options.threads);
-  if (has(asked, "albedo")) layers.push_back(image::layer_of("albedo", "RGB", features.albedo));
-  if (has(asked, "normal")) layers.push_back(image::layer_of("normal", "XYZ", features.normal));
-  if (has(asked, "depth")) layers.push_back({"depth", "Z", std::move(features.depth)});
-  return layers;
-}
-
-void add_layers_of(const Film& film, const std::vector<std::string>& asked, std::vector<ImageLayer>& layers) {
-  if (has(asked, "variance")) layers.push_back(image::layer_of("variance", "RGB", film.variance()));
-  if (has(asked, "error")) layers.push_back({"error", "", transport::error_map(film)});
-  if (has(asked, "samples")) layers.push_back(samples_layer(film));
 }
 
 void add_options(const RenderOptions& render_options, std::vector<ImageAttribute>& attributes) {
@@ -129,7 +91,7 @@ ImageDescription description_of(const transport::Render& render, const transport
   description.exposure = render_options.exposure;
   description.screen_width = camera.screen_width();
   description.layers = render_options.layers;
-  description.features = features_of(render, scene, render_options);
+  description.features = job::feature_layers(render, scene, render_options);
 
   RenderOptions known = render_options;
   known.eye = view.eye;
@@ -149,7 +111,8 @@ image::ImageFile image_file_of(const Film& film, ImageDescription description, d
   file.exposure = description.exposure;
   file.screen_width = description.screen_width;
   file.layers = std::move(description.features);
-  add_layers_of(film, description.layers, file.layers);
+  for (image::ImageLayer& layer : job::film_layers(film, description.layers))
+    file.layers.push_back(std::move(layer));
   file.attributes = std::move(description.attributes);
   file.attributes.push_back({"renderSeconds", static_cast<float>(seconds)});
   file.attributes.push_back({"samplesPerPixel", static_cast<float>(mean_samples(film))});
