@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "converters/command/file_work.h"
-#include "converters/command/input.h"
+#include "converters/input.h"
 #include "converters/risks/risk.h"
 #include "converters/wording.h"
 #include "renderer/reflectance/scheme.h"

@@ -10,9 +10,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "converters/embedded_files.h"
-#include "converters/grf2008.h"
 #include "converters/mesh_operations/scene_placement.h"
+#include "converters/output.h"
 #include "converters/scene_building.h"
 #include "converters/wording.h"
 #include "grf/relocate.h"
@@ -85,20 +84,9 @@ grf::Scene changed(Import import, const ConvertOptions& options, grf::Diagnostic
 /// Writes the scene with the embedded files of the input; returns nothing after an error.
 std::optional<WrittenFiles> write_all(grf::Scene& scene, const std::vector<EmbeddedFile>& embedded,
                                       const ConvertOptions& options, grf::Diagnostics& diagnostics) {
-  auto files = write_embedded_files(embedded, options.output, diagnostics);
-  if (!files) return std::nullopt;
-  grf::relocate(scene, options.input.path, options.output, files->names);
-  const auto old_grammar = options.grf2008 ? to_grf2008(scene, options.output, diagnostics) : std::nullopt;
-  const bool is_ready = !options.grf2008 || old_grammar;
-  const grf::Scene& written = old_grammar ? *old_grammar : scene;
-  const Format& format = *output_format(options);
-  const bool has_view = format.write_view != nullptr;
-  const bool is_written =
-      is_ready && (has_view ? format.write_view(written, options.output, options.writing, diagnostics)
-                            : format.write(written, options.output, diagnostics));
-  if (is_written && !format.embeds_images) return files;
-  remove_created(*files);
-  return is_written ? std::optional(WrittenFiles()) : std::nullopt;
+  return write_output(scene, embedded, options.input.path,
+                      {options.output, output_format(options), options.writing, options.grf2008},
+                      diagnostics);
 }
 
 /// Copies the diagnostics of one file to another file.

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "converters/command/input.h"
 #include "converters/command/report.h"
+#include "converters/input.h"
 #include "converters/mesh_operations/mesh_operations.h"
 
 namespace convert {

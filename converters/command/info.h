@@ -1,8 +1,8 @@
 #pragma once
 
-#include "converters/command/input.h"
 #include "converters/command/report.h"
 #include "converters/command/supervisor.h"
+#include "converters/input.h"
 
 namespace convert {
 

@@ -1,4 +1,4 @@
-#include "converters/command/input.h"
+#include "converters/input.h"
 
 #include <set>
 #include <utility>
