@@ -15,6 +15,9 @@ std::string to_text(const Scene& scene);
 std::string to_text(const BrdfModel& brdf);
 std::string to_text(const PdfModel& pdf);
 
+/// Returns the text of a surface's attributes: a line each, as at the beginning of a mesh.
+std::string to_text(const Surface& surface);
+
 /// Returns the text of the attribute, with its keyword.
 std::string to_text(const Opacity& opacity);
 

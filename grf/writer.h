@@ -56,6 +56,7 @@ class Writer {
   explicit Writer(const Scope& scope) : scope_(scope) {}
 
   void blocks(const BlockList& list);
+  void attributes(const Surface& surface) { put_attributes(surface, {}); }
 
   /// Takes the text; it is never empty, since readers reject an empty file.
   FileText take_text() { return {text_.empty() ? "\n" : std::move(text_), problem_}; }

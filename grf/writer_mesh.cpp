@@ -191,4 +191,10 @@ std::string Writer::text_or_file(const PdfModel& pdf) {
   return to_text(pdf);
 }
 
+std::string to_text(const Surface& surface) {
+  Writer writer({});
+  writer.attributes(surface);
+  return writer.take_text().text;
+}
+
 }  // namespace grf
