@@ -29,6 +29,15 @@ find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(LibArchive REQUIRED)
 find_package(OpenSSL REQUIRED)
+# Only the Python module needs these: without pybind11, everything else is built and tested.
+# Debian's interpreter has NumPy, which another one in PATH may lack.
+if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3)
+endif()
+find_package(Python3 COMPONENTS Interpreter Development.Module)
+if(Python3_Development.Module_FOUND)
+  find_package(pybind11 CONFIG)
+endif()
 # Only the editor needs these: without Qt, everything else is built and tested.
 find_package(Qt6 6.4 COMPONENTS Concurrent Network OpenGLWidgets PrintSupport Svg Test Widgets)
 if(Qt6_FOUND)
