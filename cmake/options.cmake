@@ -1,23 +1,29 @@
 # Other compilers than those of CI have other warnings, which should not keep anyone from building.
 option(GRANADA_WARNINGS_AS_ERRORS "Treat warnings as errors, as CI does" OFF)
 
-# Every target links granada_options for its compile options.
+# Every target links granada_options for its compile options. Other programs that link the libraries need the same
+# instruction set, which headers use, and C++20.
+set(GRANADA_INSTRUCTION_SET -march=x86-64-v3)
 add_library(granada_options INTERFACE)
-target_include_directories(granada_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_include_directories(granada_options INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
+target_compile_features(granada_options INTERFACE cxx_std_20)
 
 # One fixed x86-64 baseline without floating-point contraction or fast-math, so that an image depends only on its
 # seed and not on the machine. Embree picks its own instruction set at run time.
 target_compile_options(granada_options INTERFACE
-  -march=x86-64-v3 -ffp-contract=off
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-  $<$<BOOL:${GRANADA_WARNINGS_AS_ERRORS}>:-Werror>)
+  ${GRANADA_INSTRUCTION_SET}
+  $<BUILD_INTERFACE:-ffp-contract=off>
+  $<BUILD_INTERFACE:-Wall> $<BUILD_INTERFACE:-Wextra> $<BUILD_INTERFACE:-Wpedantic> $<BUILD_INTERFACE:-Wshadow>
+  $<BUILD_INTERFACE:-Wconversion> $<BUILD_INTERFACE:-Wno-sign-conversion>
+  $<BUILD_INTERFACE:$<$<BOOL:${GRANADA_WARNINGS_AS_ERRORS}>:-Werror>>)
 
 # g++ 12 has false warnings of uninitialised members in copies of std::variant and std::optional, and of overlapping
 # copies in concatenations of std::string (GCC bug 105651). In unity builds it takes source files for headers, in which
 # types must not have members from an unnamed namespace.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_compile_options(granada_options INTERFACE
-    -Wno-maybe-uninitialized -Wno-restrict -Wno-subobject-linkage)
+    $<BUILD_INTERFACE:-Wno-maybe-uninitialized> $<BUILD_INTERFACE:-Wno-restrict>
+    $<BUILD_INTERFACE:-Wno-subobject-linkage>)
 endif()
 
 # Compiles a folder with little optimisation, in two thirds of the time, for code that runs a few times per command. -O3
@@ -52,7 +58,7 @@ macro(granada_end_position_independent)
 endmacro()
 
 # The linker lld is faster than ld, which matters with many programs.
-target_link_options(granada_options INTERFACE -fuse-ld=lld)
+target_link_options(granada_options INTERFACE $<BUILD_INTERFACE:-fuse-ld=lld>)
 
 if(GRANADA_SANITIZERS)
   add_compile_definitions(GRANADA_HAS_SANITIZERS)

@@ -1,5 +1,6 @@
 # Manual pages, completions and the packages of Debian: `cmake --build --preset release --target packages` makes
-# granada (bpt, grfconvert), granada-wannabe (the editor) and granada-samples in build/release/packages.
+# granada (bpt, grfconvert), granada-wannabe (the editor), granada-samples, libgranada-dev and python3-granada in
+# build/release/packages.
 
 set(manual_folder ${PROJECT_BINARY_DIR}/manual)
 file(MAKE_DIRECTORY ${manual_folder})
@@ -82,6 +83,9 @@ macro(granada_define_packages)
   granada_install_format_manual(op "render options of bpt" renderer/OPTIONS.md)
   granada_install_documents(granada granada bpt grfconvert)
   granada_install_documents(samples granada-samples)
+  granada_install_documents(dev libgranada-dev)
+  install(FILES packages/dev/lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides
+    RENAME libgranada-dev COMPONENT dev)
 
   set(CPACK_GENERATOR DEB)
   set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
@@ -92,7 +96,7 @@ macro(granada_define_packages)
   set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
     WORLD_READ WORLD_EXECUTE)
   set(CPACK_DEB_COMPONENT_INSTALL ON)
-  set(CPACK_COMPONENTS_ALL granada samples)
+  set(CPACK_COMPONENTS_ALL granada samples dev)
   set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
@@ -114,6 +118,33 @@ macro(granada_define_packages)
  spheres of all BRDF models, a garden, a teapot, studies of sampling,
  and the environment maps that light them.")
   set(CPACK_DEBIAN_SAMPLES_PACKAGE_RECOMMENDS granada)
+
+  set(CPACK_DEBIAN_DEV_PACKAGE_NAME libgranada-dev)
+  set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+  set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
+  set(CPACK_DEBIAN_DEV_DESCRIPTION "libraries for scenes with exact reflectance
+ Static libraries and headers in C++20: grf reads and writes scenes in
+ the text format GRF, reflectance has BRDF models and sampling schemes,
+ converters reads and writes other formats. CMake finds them by
+ find_package(granada), and pkg-config as granada-converters.")
+  set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libassimp-dev, libdraco-dev, libfmt-dev, libimath-dev, libmeshoptimizer-dev, \
+libopenexr-dev, libopenmesh-dev, libpng-dev, libtbb-dev, libtinygltf-dev, libturbojpeg0-dev, libwebp-dev, zlib1g-dev")
+
+  if(TARGET python_module)
+    granada_install_documents(python python3-granada)
+    list(APPEND CPACK_COMPONENTS_ALL python)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-granada)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+    set(CPACK_DEBIAN_PYTHON_DESCRIPTION "scenes, BRDFs and renders over NumPy arrays
+ The module granada reads, checks, converts and writes scenes with
+ exact reflectance, evaluates and samples their BRDFs over arrays, and
+ renders images to arrays.")
+    math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+      ${PROJECT_SOURCE_DIR}/packages/python/postinst ${PROJECT_SOURCE_DIR}/packages/python/prerm)
+  endif()
 
   if(TARGET wannabe)
     granada_install_documents(wannabe granada-wannabe wannabe)
