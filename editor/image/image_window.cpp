@@ -15,14 +15,16 @@ ImageWindow::ImageWindow(QWidget* parent)
   resize(130 * Grid, 90 * Grid);
   make_menus();
   connect(server_, &ImageServer::received, browser_, &ImageBrowser::show_image);
+  connect(server_, &ImageServer::dropped, browser_, &ImageBrowser::remove_image);
   connect(server_, &ImageServer::failed, this, [this](const QString& why) { statusBar()->showMessage(why); });
 }
 
-void ImageWindow::listen(quint16 port) {
-  const bool listens = server_->listen(port);
-  statusBar()->showMessage(
-      listens ? tr("Listening for renders with BPT_DisplayWindow on 127.0.0.1:%1.").arg(server_->port())
-              : tr("Cannot listen for renders on port %1: %2.").arg(port).arg(server_->problem()));
+void ImageWindow::listen(const display::Address& address) {
+  const bool listens = server_->listen(address);
+  const QString place = QString::fromStdString((listens ? server_->address() : address).text());
+  statusBar()->showMessage(listens
+                               ? tr("Listening for renders with BPT_DisplayWindow on %1.").arg(place)
+                               : tr("Cannot listen for renders on %1: %2.").arg(place, server_->problem()));
 }
 
 void ImageWindow::make_menus() {

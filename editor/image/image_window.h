@@ -17,7 +17,7 @@ class ImageWindow : public QMainWindow {
 
   ImageBrowser& browser() { return *browser_; }
   /// Listens for renders; the status bar shows the address, or why it failed.
-  void listen(quint16 port = ImageServer::usual_port());
+  void listen(const display::Address& address = display::default_address());
   const ImageServer& server() const { return *server_; }
 
  private:

@@ -2874,6 +2874,14 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <source>A program sent a damaged packet of the tev protocol, and was disconnected.</source>
         <translation>Un programa envió un paquete dañado del protocolo de tev, y se ha desconectado.</translation>
     </message>
+    <message>
+        <source>A program sent more images than there is room for, and was disconnected.</source>
+        <translation>Un programa envió más imágenes de las que caben y fue desconectado.</translation>
+    </message>
+    <message>
+        <source>another viewer uses it</source>
+        <translation>lo usa otro visor</translation>
+    </message>
 </context>
 <context>
     <name>editor::ImageTools</name>
@@ -3145,12 +3153,12 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <translation>Imágenes - wannabe</translation>
     </message>
     <message>
-        <source>Listening for renders with BPT_DisplayWindow on 127.0.0.1:%1.</source>
-        <translation>A la espera de renders con BPT_DisplayWindow en 127.0.0.1:%1.</translation>
+        <source>Listening for renders with BPT_DisplayWindow on %1.</source>
+        <translation>A la espera de renders con BPT_DisplayWindow en %1.</translation>
     </message>
     <message>
-        <source>Cannot listen for renders on port %1: %2.</source>
-        <translation>No se pueden recibir renders en el puerto %1: %2.</translation>
+        <source>Cannot listen for renders on %1: %2.</source>
+        <translation>No se pueden recibir renders en %1: %2.</translation>
     </message>
     <message>
         <source>&amp;File</source>

@@ -23,9 +23,13 @@ constexpr int LateTime = 2000;
 ImageController::ImageController(RenderPanel& render, Pages& pages, QMenu& menu, QObject* parent)
     : QObject(parent), render_(render), pages_(pages), menu_(menu), server_(new ImageServer(this)) {
   menu_.menuAction()->setVisible(false);
-  if (!server_->listen()) server_->listen(0);  // another viewer uses the default port
-  render_.final_render().set_display(QString("127.0.0.1:%1").arg(server_->port()));
+  if (!server_->listen()) server_->listen(display::free_address());  // another viewer uses the default one
+  render_.final_render().set_display(QString::fromStdString(server_->address().text()));
   connect(server_, &ImageServer::received, this, &ImageController::take_sent);
+  // The images of the editor's own renders are shown from their files.
+  connect(server_, &ImageServer::dropped, this, [this](const QString& name) {
+    if (browser_ != nullptr && !render_.final_render().has_rendered(name)) browser_->remove_image(name);
+  });
   connect_renders();
 }
 

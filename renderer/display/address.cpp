@@ -3,10 +3,39 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include <sys/un.h>
+#include <unistd.h>
+
 namespace display {
+namespace {
+
+/// The longest path of a socket, without the zero that ends it.
+constexpr std::size_t LongestPath = sizeof(sockaddr_un::sun_path) - 1;
+
+/// A path of a viewer that listens besides another one is longer by the number of its process.
+constexpr std::size_t LongestNumber = 11;
+
+/// Returns the TCP address that the environment asks for.
+std::optional<Address> address_of_environment() {
+  const char* port = std::getenv("GRANADA_DISPLAY_PORT");
+  return port != nullptr ? address_of(std::string(":") + port) : std::nullopt;
+}
+
+std::string own_path() {
+  const char* folder = std::getenv("XDG_RUNTIME_DIR");
+  std::string path = std::string(folder != nullptr ? folder : "") + "/granada-display";
+  const bool is_usable = folder != nullptr && *folder == '/' && path.size() + LongestNumber <= LongestPath;
+  return is_usable ? path : "/tmp/granada-display-" + std::to_string(::getuid());
+}
+
+}  // namespace
 
 std::optional<Address> address_of(std::string_view text) {
   Address address;
+  if (text.starts_with('/')) {
+    address.path = text;
+    return text.size() <= LongestPath ? std::optional(address) : std::nullopt;
+  }
   std::string_view host = text;
   std::string_view port;
   if (text.starts_with('[')) {
@@ -29,9 +58,13 @@ std::optional<Address> address_of(std::string_view text) {
 }
 
 Address default_address() {
-  const char* port = std::getenv("GRANADA_DISPLAY_PORT");
-  if (port == nullptr) return {};
-  return address_of(std::string(":") + port).value_or(Address());
+  if (auto address = address_of_environment()) return *address;
+  return {.path = own_path()};
+}
+
+Address free_address() {
+  if (address_of_environment()) return {.port = "0"};
+  return {.path = own_path() + "-" + std::to_string(::getpid())};
 }
 
 }  // namespace display

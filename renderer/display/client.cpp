@@ -9,6 +9,7 @@
 #include <netdb.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include "renderer/display/packets.h"
@@ -96,6 +97,31 @@ void Client::run() {
 
 /// Connects to the viewer; returns what prevents it, or nothing on success.
 std::optional<std::string> Client::connect() {
+  return address_.path.empty() ? connect_to_host() : connect_to_path();
+}
+
+std::optional<std::string> Client::connect_to_path() {
+  sockaddr_un address = {};
+  address.sun_family = AF_UNIX;
+  address_.path.copy(static_cast<char*>(address.sun_path), sizeof(address.sun_path) - 1);
+  socket_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  if (socket_ < 0) return reason();
+  std::string why;
+  ucred viewer = {};
+  socklen_t size = sizeof(viewer);
+  if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0 ||
+      ::getsockopt(socket_, SOL_SOCKET, SO_PEERCRED, &viewer, &size) != 0) {
+    why = reason();
+  } else if (viewer.uid != ::geteuid()) {
+    // In a folder where all may write, others could wait for the images of this user.
+    why = "it belongs to another user";
+  }
+  if (why.empty()) return std::nullopt;
+  ::close(std::exchange(socket_, -1));
+  return why;
+}
+
+std::optional<std::string> Client::connect_to_host() {
   addrinfo hints = {};
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;

@@ -46,6 +46,8 @@ class Client {
  private:
   void run();
   std::optional<std::string> connect();
+  std::optional<std::string> connect_to_host();
+  std::optional<std::string> connect_to_path();
   bool connect_to_any();
   bool send(std::string_view bytes);
   bool send_changes();

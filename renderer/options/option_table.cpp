@@ -180,12 +180,11 @@ std::vector<OptionInfo> running_options() {
       {"BPT_Threads", "--threads", NumberOption<int>{&Options::threads, 0, 4096}, "int", "0",
        "number of threads; 0: all"},
       {"BPT_DisplayWindow", "", BooleanOption<bool>{&Options::shows_window}, "bool", "false",
-       "show the image while it renders, in the image viewer that listens at 127.0.0.1:14158; if none does, "
+       "show the image while it renders, in the editor or the image viewer of this user; if none is open, "
        "start `wannabe --tool image`"},
       {"BPT_DisplayServer", "--display-server", AddressOption{&Options::display_server}, "HOST:PORT", "none",
-       "show the image while it renders, in the image viewer at this address, by tev's network protocol; "
-       "none "
-       "is started"},
+       "show the image while it renders, in the image viewer at this address or socket, by tev's network "
+       "protocol; none is started"},
   };
 }
 

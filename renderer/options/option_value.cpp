@@ -121,13 +121,19 @@ Problem set(RenderOptions& options, const PathOption& option, const std::vector<
 
 Problem set(RenderOptions& options, const AddressOption& option, const std::vector<std::string>& words) {
   constexpr int LargestPort = 65535;
+  constexpr std::size_t LongestPath = 107;  // of a socket: see unix(7)
   const std::string& address = words[0];
+  if (address.starts_with('/') && address.size() <= LongestPath) {
+    options.*option.field = address;
+    return std::nullopt;
+  }
   const std::size_t colon = std::min(address.rfind(':'), address.size());
   int port = 0;
   const bool has_port = colon < address.size() && parse(address.substr(colon + 1), port);
   const bool is_none = grf::same_keyword(address, "none");
   if (!is_none && (colon == 0 || !has_port || port < 1 || port > LargestPort)) {
-    return fmt::format("found '{}', expected HOST:PORT, such as 127.0.0.1:14158, or none", address);
+    return fmt::format(
+        "found '{}', expected HOST:PORT, such as 127.0.0.1:14158, the path of a socket, or none", address);
   }
   options.*option.field = is_none ? std::string() : address;
   return std::nullopt;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <thread>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/cli/bpt.h"
@@ -85,6 +86,17 @@ TEST_F(BptDisplay, StartsNothingWhereAnotherViewerIsMeant) {
   EXPECT_EQ(outcome.err.find("warning: no viewer listens at 127.0.0.1:1 ("), 0U) << outcome.err;
   EXPECT_FALSE(fs::exists(path("started")));
   EXPECT_TRUE(fs::exists(path("image.pfm")));
+}
+
+TEST_F(BptDisplay, LooksForTheViewerOfItsUser) {
+  ::unsetenv("GRANADA_DISPLAY_PORT");
+  ::setenv("XDG_RUNTIME_DIR", folder_.path().c_str(), 1);
+  EXPECT_THAT(render().err,
+              testing::StartsWith("warning: no viewer listens at " + path("granada-display") + ", and none"));
+  EXPECT_THAT(
+      render("BPT_DisplayServer " + path("other") + "\n").err,
+      testing::StartsWith("warning: no viewer listens at " + path("other") + " (Connection refused)"));
+  ::unsetenv("XDG_RUNTIME_DIR");
 }
 
 TEST_F(BptDisplay, StartsNothingWhereAViewerListens) {

@@ -258,13 +258,33 @@ TEST(DisplayAddress, IsReadFromText) {
   }
 }
 
-TEST(DisplayAddress, HasAPortForEachUser) {
+TEST(DisplayAddress, IsThePathOfASocket) {
+  const auto address = display::address_of("/run/user/1000/granada-display");
+  ASSERT_TRUE(address);
+  EXPECT_EQ(address->path, "/run/user/1000/granada-display");
+  EXPECT_EQ(address->text(), address->path);
+  // unix(7): at most 108 bytes with the zero that ends it
+  EXPECT_TRUE(display::address_of("/" + std::string(106, 'x')));
+  EXPECT_FALSE(display::address_of("/" + std::string(107, 'x')));
+}
+
+TEST(DisplayAddress, BelongsToTheUserUnlessAPortIsAskedFor) {
   ::unsetenv("GRANADA_DISPLAY_PORT");
-  EXPECT_EQ(display::default_address().text(), "127.0.0.1:14158");
+  ::setenv("XDG_RUNTIME_DIR", "/run/user/7", 1);
+  EXPECT_EQ(display::default_address().text(), "/run/user/7/granada-display");
+  EXPECT_EQ(display::free_address().text(), "/run/user/7/granada-display-" + std::to_string(::getpid()));
+  const std::string shared = "/tmp/granada-display-" + std::to_string(::getuid());
+  for (const std::string& unusable : {std::string(), std::string("run"), "/" + std::string(90, 'x')}) {
+    ::setenv("XDG_RUNTIME_DIR", unusable.c_str(), 1);
+    EXPECT_EQ(display::default_address().text(), shared);
+  }
+  ::unsetenv("XDG_RUNTIME_DIR");
+  EXPECT_EQ(display::default_address().text(), shared);
   ::setenv("GRANADA_DISPLAY_PORT", "12345", 1);
   EXPECT_EQ(display::default_address().text(), "127.0.0.1:12345");
+  EXPECT_EQ(display::free_address().text(), "127.0.0.1:0");
   ::setenv("GRANADA_DISPLAY_PORT", "none", 1);
-  EXPECT_EQ(display::default_address().text(), "127.0.0.1:14158");
+  EXPECT_EQ(display::default_address().text(), shared);
   ::unsetenv("GRANADA_DISPLAY_PORT");
 }
 

@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "tests/support/listener.h"
 #include "tests/support/paths.h"
 #include "tests/support/run.h"
 #include "tests/support/temporary_folder.h"
@@ -49,7 +48,10 @@ bool is_alive(pid_t process) {
 
 class DisplayWindow : public testing::Test {
  protected:
-  DisplayWindow() { qputenv("GRANADA_DISPLAY_PORT", QByteArray::number(test::free_port())); }
+  DisplayWindow() {
+    qunsetenv("GRANADA_DISPLAY_PORT");
+    qputenv("XDG_RUNTIME_DIR", QByteArray::fromStdString(folder_.path()));
+  }
   ~DisplayWindow() override {
     for (const pid_t process : image_views()) {
       ::kill(process, SIGTERM);
