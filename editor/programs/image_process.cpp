@@ -3,14 +3,13 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QFile>
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include <fmt/format.h>
 #include <sys/mman.h>
 
 #include "editor/programs/child_process.h"
+#include "renderer/image/decoded_image.h"
 
 namespace editor {
 namespace {
@@ -26,48 +25,11 @@ QString first_line_in(QFile& file) {
   return file.seek(0) ? QString::fromUtf8(file.readLine(Longest)).trimmed() : QString();
 }
 
-bool read_bytes(QFile& file, void* bytes, std::uint64_t count) {
-  return file.read(static_cast<char*>(bytes), static_cast<qint64>(count)) == static_cast<qint64>(count);
-}
-
-std::uint64_t bytes_left(const QFile& file) { return static_cast<std::uint64_t>(file.size() - file.pos()); }
-
-/// Parses a layer as `bpt decode --layers` writes it.
-std::optional<image::ImageLayer> layer_in(QFile& file, std::uint64_t pixels) {
-  constexpr std::uint32_t Longest = 1000;
-  std::array<std::uint32_t, 2> lengths = {};
-  if (!read_bytes(file, lengths.data(), sizeof(lengths)) || lengths[0] > Longest || lengths[1] > Longest)
-    return std::nullopt;
-  image::ImageLayer layer{std::string(lengths[0], ' '), std::string(lengths[1], ' '), {}};
-  const bool has_names =
-      read_bytes(file, layer.name.data(), lengths[0]) && read_bytes(file, layer.channels.data(), lengths[1]);
-  const std::uint64_t count = pixels * std::max(1U, lengths[1]);
-  if (!has_names || bytes_left(file) / sizeof(float) < count) return std::nullopt;
-  layer.values.resize(count);
-  if (!read_bytes(file, layer.values.data(), count * sizeof(float))) return std::nullopt;
-  return layer;
-}
-
-/// Parses an image as `bpt decode` writes it. It is untrusted: a file that exploits the decoder may have had
-/// it write anything.
 std::optional<image::ImageFile> image_in(QFile& file, bool has_layers) {
-  std::array<std::int32_t, 2> size = {};
-  if (!file.seek(0) || !read_bytes(file, size.data(), sizeof(size)) || size[0] < 1 || size[1] < 1)
-    return std::nullopt;
-  const std::uint64_t pixels = static_cast<std::uint64_t>(size[0]) * static_cast<std::uint64_t>(size[1]);
-  constexpr std::uint64_t PixelSize = sizeof(grf::Colour);
-  const std::uint64_t left = bytes_left(file);
-  if (has_layers ? left / PixelSize < pixels : left / PixelSize != pixels || left % PixelSize != 0)
-    return std::nullopt;
-  image::ImageFile result;
-  result.image = {size[0], size[1], std::vector<grf::Colour>(pixels)};
-  if (!read_bytes(file, &result.image.pixels.front().x, pixels * PixelSize)) return std::nullopt;
-  while (bytes_left(file) > 0) {
-    auto layer = layer_in(file, pixels);
-    if (!layer) return std::nullopt;
-    result.layers.push_back(std::move(*layer));
-  }
-  return result;
+  const auto size = static_cast<std::size_t>(file.size());
+  const uchar* bytes = size > 0 ? file.map(0, file.size()) : nullptr;
+  if (bytes == nullptr) return std::nullopt;
+  return image::decoded_image({reinterpret_cast<const char*>(bytes), size}, has_layers);
 }
 
 }  // namespace
@@ -77,10 +39,7 @@ std::optional<image::Image> ImageProcess::read(const std::string& path, grf::Dia
                                                const std::stop_token& stop, image::Alpha alpha) const {
   const QString option = alpha == image::Alpha::Kept ? QStringLiteral("--alpha") : QString();
   auto file = read(path, option, diagnostics, asked_for_at, stop);
-  if (!file) return std::nullopt;
-  const bool has_alpha = !file->layers.empty() && file->layers.front().channels.empty();
-  if (has_alpha) file->image.alpha = std::move(file->layers.front().values);
-  return std::move(file->image);
+  return file ? std::optional(image::with_alpha_of_layer(std::move(*file))) : std::nullopt;
 }
 
 std::optional<image::ImageFile> ImageProcess::read_file(const std::string& path,

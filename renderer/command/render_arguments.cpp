@@ -2,10 +2,13 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "renderer/command/isolated_images.h"
 #include "renderer/options/op_file.h"
 
 namespace command {
@@ -23,9 +26,13 @@ std::vector<std::string> words_of(const options::OptionInfo& option, const std::
 }  // namespace
 
 std::optional<RenderOptions> read_options(const std::string& path, grf::Diagnostics& diagnostics) {
-  if (std::filesystem::path(path).extension() == ".op") return options::read_op_file(path, diagnostics);
-  RenderOptions render_options;
-  render_options.scene = path;
+  std::optional<RenderOptions> render_options(std::in_place);
+  if (std::filesystem::path(path).extension() == ".op") {
+    render_options = options::read_op_file(path, diagnostics);
+  } else {
+    render_options->scene = path;
+  }
+  if (render_options) render_options->image_reader.read = isolated_image_reader();
   return render_options;
 }
 

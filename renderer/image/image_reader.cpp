@@ -6,8 +6,11 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
+#include <system_error>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -15,6 +18,7 @@
 #include <turbojpeg.h>
 
 #include "grf/text_file.h"
+#include "renderer/image/decoded_image.h"
 #include "renderer/image/decoders.h"
 #include "renderer/image/image.h"
 #include "renderer/image/srgb.h"
@@ -164,17 +168,18 @@ struct Decoder {
   std::string_view start;  ///< first bytes of all such files; empty: detected by the extension
   std::string_view extension;
   Image (*decode)(std::string_view, Alpha);
+  bool is_of_library = false;
 };
 
 constexpr std::array Decoders = {
     Decoder{"", "raw", decode_raw},  // first, because its first bytes, a width, may be anything
-    Decoder{"\x76\x2f\x31\x01", "exr", decode_exr},
+    Decoder{"\x76\x2f\x31\x01", "exr", decode_exr, true},
     Decoder{"#?", "hdr", decode_radiance},
     Decoder{"PF", "pfm", decode_pfm},
     Decoder{"Pf", "pfm", decode_pfm},
-    Decoder{"\x89PNG", "png", decode_png},
-    Decoder{"\xff\xd8\xff", "jpg", decode_jpeg},
-    Decoder{"RIFF", "webp", decode_webp},
+    Decoder{"\x89PNG", "png", decode_png, true},
+    Decoder{"\xff\xd8\xff", "jpg", decode_jpeg, true},
+    Decoder{"RIFF", "webp", decode_webp, true},
     Decoder{"", "tga", decode_tga},
 };
 
@@ -259,6 +264,17 @@ void decode_srgb_with_alpha(const std::uint8_t* bytes, Image& image) {
     image.alpha.push_back(alpha);
     bytes += 4;
   }
+}
+
+bool is_decoded_by_library(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;  // opening a pipe may block
+  std::array<char, 4> start = {};
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), start.size());
+  const auto count = static_cast<std::size_t>(file.gcount());
+  const Decoder* decoder = decoder_of({start.data(), count}, path);
+  return count > 0 && decoder != nullptr && decoder->is_of_library;
 }
 
 std::optional<Image> read_image(const std::string& path, grf::Diagnostics& diagnostics,

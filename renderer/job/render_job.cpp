@@ -60,6 +60,7 @@ std::optional<transport::CompileSettings> compile_settings_of(const RenderOption
                                                               Diagnostics& diagnostics) {
   transport::CompileSettings settings;
   settings.threads = render_options.threads;
+  if (render_options.image_reader.read) settings.image_reader = render_options.image_reader.read;
   settings.has_irradiance = render_options.uses_irradiance;
   if (integrator_of(render_options) == Integrator::Naive) {
     settings.missed_part = reflectance::MissedPart::Missing;
@@ -67,6 +68,12 @@ std::optional<transport::CompileSettings> compile_settings_of(const RenderOption
   if (render_options.precision == "double") settings.precision = reflectance::Precision::Double;
   if (!override_scheme(render_options, settings, diagnostics)) return std::nullopt;
   return settings;
+}
+
+bool load_environment(const RenderOptions& render_options, transport::RenderSettings& settings,
+                      Diagnostics& diagnostics) {
+  const image::ImageReader& read = render_options.image_reader.read;
+  return load_environment(render_options, settings, diagnostics, read ? read : image::read_image);
 }
 
 bool load_environment(const RenderOptions& render_options, transport::RenderSettings& settings,

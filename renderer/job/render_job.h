@@ -53,10 +53,13 @@ bool load_environment(const options::RenderOptions& render_options, RenderPlan& 
 transport::RenderSettings settings_of(const options::RenderOptions& render_options, const grf::Box3d& bounds);
 /// Reports an error if the eye and the look-at point coincide.
 bool has_view_direction(const transport::View& view, grf::Diagnostics& diagnostics);
-/// Loads the environment map or backplate into the settings, unless it is there already.
+/// Loads the environment map or backplate into the settings by the reader of the options, unless it is there
+/// already.
 bool load_environment(const options::RenderOptions& render_options, transport::RenderSettings& settings,
-                      grf::Diagnostics& diagnostics,
-                      const image::ImageReader& image_reader = image::read_image);
+                      grf::Diagnostics& diagnostics);
+/// Loads it likewise by another reader.
+bool load_environment(const options::RenderOptions& render_options, transport::RenderSettings& settings,
+                      grf::Diagnostics& diagnostics, const image::ImageReader& image_reader);
 /// Returns whether the number of samples is limited: not if only a target error or a time limit is given.
 bool has_sample_limit(const options::RenderOptions& render_options);
 /// Reports an error if the scene has nothing to render.

@@ -13,6 +13,7 @@
 #include "grf/keywords.h"
 #include "grf/math.h"
 #include "grf/source_location.h"
+#include "renderer/image/image.h"
 #include "renderer/transport/effect.h"
 
 namespace options {
@@ -53,6 +54,13 @@ struct OptionLocations : std::map<std::string_view, grf::SourceLocation> {
     const auto found = find(key);
     return found == end() ? grf::SourceLocation() : found->second;
   }
+};
+
+/// The reader of textures and environment maps, which is no option and takes no part in equality.
+struct OptionImageReader {
+  image::ImageReader read;  ///< empty: image::read_image
+
+  bool operator==(const OptionImageReader&) const { return true; }
 };
 
 /// Options of the sampling scheme. An absent one keeps the scheme's default; see `scheme_model`.
@@ -123,12 +131,13 @@ struct RenderOptions : SchemeOptions {
   std::uint32_t seed = 0;
   int threads = 0;  ///< 0: all
   bool shows_window = false;
-  std::string display_server;          ///< HOST:PORT; empty: none
+  std::string display_server;          ///< HOST:PORT or the path of a socket; empty: none
   bool writes_memory = false;          ///< `mem.op` beside the image
   bool writes_sampling_time = false;   ///< `samplingTime`
   bool writes_rendering_time = false;  ///< `renderingTime`
   bool writes_prebuild_time = false;   ///< `prebuildTime`
   OptionLocations locations;
+  OptionImageReader image_reader;
 
   transport::EffectSet effects() const;
 
