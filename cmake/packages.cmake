@@ -159,6 +159,11 @@ libopenexr-dev, libopenmesh-dev, libpng-dev, libtbb-dev, libtinygltf-dev, libtur
     set(CPACK_DEBIAN_WANNABE_PACKAGE_RECOMMENDS granada-samples)
   endif()
   include(CPack)
-  add_custom_target(packages COMMAND ${CMAKE_CPACK_COMMAND} --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake
+  # The time of all files in the packages, which the same sources make bit for bit.
+  execute_process(COMMAND date --utc --date ${GRANADA_DATE} +%s
+    OUTPUT_VARIABLE seconds OUTPUT_STRIP_TRAILING_WHITESPACE)
+  add_custom_target(packages
+    COMMAND ${CMAKE_COMMAND} -E env SOURCE_DATE_EPOCH=${seconds}
+      ${CMAKE_CPACK_COMMAND} --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake
     COMMENT "Packing")
 endmacro()
