@@ -80,6 +80,43 @@ bool is_help(const CommandOption& option) {
   return std::find(option.flags.begin(), option.flags.end(), "--help") != option.flags.end();
 }
 
+std::string markdown_head(const CommandOption& option) {
+  std::string head = fmt::format("{}", fmt::join(option.flags, ", "));
+  if (!option.value.empty()) head += (head.empty() ? "" : " ") + option.value;
+  return fmt::format("`{}`", head);
+}
+
+/// Escapes what Markdown would take for markup, outside of code between backticks.
+std::string markdown(std::string_view text) {
+  std::string escaped;
+  bool is_code = false;
+  for (const char c : text) {
+    is_code ^= c == '`';
+    if (!is_code && std::string_view("*_<>[]|$\\").find(c) != std::string_view::npos) escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+std::string markdown_options(const Command& command) {
+  std::string text;
+  for (const CommandOption& option : command.options) {
+    text += fmt::format("{}\n: {}", markdown_head(option), markdown(sentence(option.description)));
+    if (!option.choices.empty()) text += fmt::format(" One of `{}`.", fmt::join(option.choices, "`, `"));
+    text += "\n\n";
+  }
+  return text;
+}
+
+std::string markdown_synopsis(const Command& command) {
+  std::string line = command.path + " [OPTION...]";
+  for (const CommandOption& option : command.options) {
+    if (!option.flags.empty()) continue;
+    line += option.is_required ? " " + option.value : " [" + option.value + "]";
+  }
+  return fmt::format("```text\n{}\n```\n\n", line);
+}
+
 constexpr std::string_view ExitStatus =
     ".SH EXIT STATUS\n"
     ".TP\n0\nAll was done.\n"
@@ -129,13 +166,35 @@ std::string manual_page(CLI::App& app, const ManualText& text) {
   return page;
 }
 
+std::string reference_page(CLI::App& app, const ManualText& text) {
+  std::vector<Command> commands = commands_of(app);
+  const Command& program = commands.front();
+  std::string page = fmt::format("# {}\n\n{}\n\n", program.path, markdown(text.description));
+  page += "## Examples\n\n";
+  std::istringstream lines{std::string(text.examples)};
+  std::string meaning;
+  std::string line;
+  while (std::getline(lines, meaning) && std::getline(lines, line)) {
+    page += fmt::format("{}:\n\n```console\n$ {}\n```\n\n", markdown(meaning), line);
+  }
+  page += "## Options\n\n" + markdown_options(program);
+  for (auto command = std::next(commands.begin()); command != commands.end(); ++command) {
+    std::erase_if(command->options, is_help);
+    page += fmt::format("## {}\n\n{}\n\n", command->path, markdown(sentence(command->description)));
+    if (command->subcommands.empty()) page += markdown_synopsis(*command) + markdown_options(*command);
+  }
+  return page;
+}
+
 void add_manual_option(CLI::App& app, const ManualText& text) {
   const auto print = [&app, text](const std::string& kind) {
+    if (kind == "markdown") throw CLI::CallForVersion(reference_page(app, text), 0);
     throw CLI::CallForVersion(kind == "man" ? manual_page(app, text) : completion(app, kind), 0);
   };
-  app.add_option_function<std::string>("--manual", print, "print the manual page or a shell's completion")
+  app.add_option_function<std::string>("--manual", print,
+                                       "print the manual page, as roff or Markdown, or a shell's completion")
       ->group("")
-      ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}));
+      ->check(CLI::IsMember({"man", "markdown", "bash", "zsh", "fish"}));
 }
 
 }  // namespace command_line

@@ -23,12 +23,16 @@ struct ManualText {
 /// Returns the page in section 1 of a program with all of its subcommands, in the macros of man(7).
 std::string manual_page(CLI::App& app, const ManualText& text);
 
+/// Returns the page of a program in the web documentation: Markdown with lists of definitions, as MyST has
+/// them.
+std::string reference_page(CLI::App& app, const ManualText& text);
+
 /// Returns a script that completes subcommands, options and their choices in a shell: `bash`, `zsh` or
 /// `fish`. Other values are completed by names of files.
 std::string completion(CLI::App& app, std::string_view shell);
 
-/// Adds the option `--manual man|bash|zsh|fish`, which `--help` does not list: it prints one of these, and
-/// ends the program as `--help` does.
+/// Adds the option `--manual man|markdown|bash|zsh|fish`, which `--help` does not list: it prints one of
+/// these, and ends the program as `--help` does.
 void add_manual_option(CLI::App& app, const ManualText& text);
 
 }  // namespace command_line

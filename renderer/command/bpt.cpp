@@ -239,6 +239,9 @@ void add_brdf(CLI::App& app, command::BrdfArguments& arguments, command::BrdfFit
               true)
       ->add_option("-o,--output", arguments.output, "picture of where they are not as they should be")
       ->type_name("FILE.svg|FILE.png|FILE.pdf");
+  add_command("glsl",
+              "Print the BRDF as a GLSL function for shaders; with --json, also its parameters' values",
+              true);
   CLI::App* plot =
       add_command("plot", "Plot lobes, albedo and a lit sphere; with --pdf, a sampling scheme's pdf", true);
   plot->add_option("-o,--output", arguments.output, "output file")
@@ -263,6 +266,7 @@ ExitCode run_brdf(const CLI::App& brdf, const command::BrdfArguments& arguments,
   if (brdf.got_subcommand("sample")) return command::sample_brdf(arguments);
   if (brdf.got_subcommand("export")) return command::export_brdf(arguments);
   if (brdf.got_subcommand("check")) return command::check_brdf(arguments);
+  if (brdf.got_subcommand("glsl")) return command::print_glsl(arguments);
   return command::plot_brdf(arguments);
 }
 

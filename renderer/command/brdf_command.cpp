@@ -1,6 +1,7 @@
 #include "renderer/command/brdf_command.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -24,6 +25,7 @@
 #include "renderer/reflectance/albedo.h"
 #include "renderer/reflectance/brdf_instance.h"
 #include "renderer/reflectance/scheme.h"
+#include "renderer/reflectance/shader.h"
 #include "renderer/reflectance/spectrum.h"
 #include "renderer/studies/study.h"
 
@@ -126,15 +128,26 @@ std::optional<studies::Study> study_of_fit(const std::string& path) {
   return printed([&](Diagnostics& diagnostics) { return studies::study_of(state, {}, diagnostics); });
 }
 
+nlohmann::ordered_json to_json(const grf::ParameterInfo& parameter) {
+  constexpr std::array Kinds = {"number", "reflectance", "boolean", "word"};
+  nlohmann::ordered_json json = {{"name", parameter.name},
+                                 {"kind", Kinds.at(static_cast<std::size_t>(parameter.kind))},
+                                 {"min", grf::shortest(parameter.minimum)},
+                                 {"max", grf::shortest(parameter.maximum)},
+                                 {"default", grf::shortest(parameter.default_value)},
+                                 {"logarithmic", parameter.scale == grf::ParameterScale::Logarithmic},
+                                 {"unit", parameter.unit},
+                                 {"help", parameter.help}};
+  if (parameter.default_rgb) json["default_rgb"] = json_array(*parameter.default_rgb);
+  if (!parameter.default_from.empty()) json["default_from"] = parameter.default_from;
+  if (!parameter.choices.empty()) json["choices"] = parameter.choices;
+  return json;
+}
+
 nlohmann::ordered_json to_json(const grf::ModelInfo& model) {
   nlohmann::ordered_json parameters = nlohmann::ordered_json::array();
   for (const grf::ParameterInfo& parameter : model.parameters) {
-    parameters.push_back({{"name", parameter.name},
-                          {"min", grf::shortest(parameter.minimum)},
-                          {"max", grf::shortest(parameter.maximum)},
-                          {"default", grf::shortest(parameter.default_value)},
-                          {"unit", parameter.unit},
-                          {"help", parameter.help}});
+    parameters.push_back(to_json(parameter));
   }
   return {{"keyword", model.keyword},
           {"title", model.title},
@@ -228,6 +241,28 @@ ExitCode print_albedo(const BrdfArguments& arguments) {
   } else {
     fmt::print("{} {} {}\n", value.x, value.y, value.z);
   }
+  return ExitCode::Done;
+}
+
+ExitCode print_glsl(const BrdfArguments& arguments) {
+  const auto reflector = reflector_of(arguments);
+  if (!reflector) return ExitCode::BadInput;
+  const auto shader = reflectance::shader_of(reflector->brdf());
+  if (!shader) {
+    fmt::print(
+        stderr,
+        "error: '{}' has no shader: its values are read from a file, or it is a sum of too many terms\n",
+        arguments.instance);
+    return ExitCode::BadInput;
+  }
+  if (!arguments.json) {
+    fmt::print("{}", shader->text);
+    return ExitCode::Done;
+  }
+  nlohmann::ordered_json values = nlohmann::ordered_json::array();
+  for (const Rgb& value : shader->parameters) values.push_back(json_array(value));
+  fmt::print("{}\n",
+             json_text(nlohmann::ordered_json{{"text", shader->text}, {"parameters", values}}, false));
   return ExitCode::Done;
 }
 

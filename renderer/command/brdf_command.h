@@ -40,6 +40,10 @@ grf::ExitCode print_albedo(const BrdfArguments& arguments);
 /// Samples directions by a sampling scheme; prints their pdfs and BRDF values, and can write a FIT file.
 grf::ExitCode sample_brdf(const BrdfArguments& arguments);
 
+/// Prints the BRDF as GLSL 3.30 without `#version`, which defines `vec3 brdf_value(vec3 u, vec3 v)`, f in
+/// 1/sr; as JSON, also the values of its `uniform vec3 brdf_parameters[]`. Measured data have none.
+grf::ExitCode print_glsl(const BrdfArguments& arguments);
+
 /// Plots the BRDF: polar and cartesian in the plane of incidence, albedo, a lit sphere. With a sampling
 /// scheme, plots its pdf and samples instead.
 grf::ExitCode plot_brdf(const BrdfArguments& arguments);

@@ -72,6 +72,75 @@ class Program : public testing::Test {
 
 using Words = std::vector<std::string>;
 
+TEST_F(Program, HasAPageOfTheDocumentation) {
+  EXPECT_EQ(printed("markdown"), R"(# tracer
+
+It renders.
+
+It also evaluates.
+
+## Examples
+
+Render a scene:
+
+```console
+$ tracer render a.op
+```
+
+## Options
+
+`-h, --help`
+: Print this help message and exit.
+
+## tracer render
+
+Render a scene.
+
+```text
+tracer render [OPTION...] scene
+```
+
+`scene`
+: The scene.
+
+`-o, --output FILE`
+: Output image; its extension selects the type.
+
+`--points TEXT`
+: Sampler. One of `sobol`, `independent`.
+
+`--time HH:MM`
+: The local time.
+
+`--json`
+: Print an object's fields \[all\].
+
+## tracer brdf
+
+Evaluate BRDFs.
+
+## tracer brdf list
+
+List them.
+
+```text
+tracer brdf list [OPTION...]
+```
+
+## tracer brdf eval
+
+Evaluate one.
+
+```text
+tracer brdf eval [OPTION...]
+```
+
+`--degrees`
+: .5 is half a degree.
+
+)");
+}
+
 TEST_F(Program, HasAManualPage) {
   EXPECT_EQ(printed("man"), R"(.TH TRACER 1 2026-11-28 "Granada 1.2.3" "User commands"
 .SH NAME
