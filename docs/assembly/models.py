@@ -7,6 +7,12 @@ from assembly import formula
 BEGIN, END = "<!-- generated: documents_test -->\n", "<!-- end -->\n"
 DOCUMENT = "renderer/MODELS.md"
 FOLDER = "reference/models"
+LIVE_SCRIPTS = ["models/KEYWORD.js", "brdf_evaluator.js", "brdf_lobe.js", "brdf.js"]
+
+
+def is_live(info):
+    """Returns whether a model is one formula, of which a shader can be made: those have an example."""
+    return bool(info["example"])
 
 
 class Parts:
@@ -48,9 +54,18 @@ def with_mathematics(section, info):
     return section.replace(block, "## Formula\n\n" + formula.to_markdown(info["formula"], names) + "## Parameters\n")
 
 
+def with_live_part(section):
+    """Puts a lobe, a sphere and sliders before the picture, which is there without WebGL, too."""
+    scripts = "".join(f'<script src="../../_static/{name}"></script>\n' for name in LIVE_SCRIPTS)
+    return section.replace("\n![", f'\n<div id="brdf-live" hidden></div>\n{scripts}\n![', 1)
+
+
 def model_page(parts, keyword):
     title, section = parts.sections[keyword]
-    return f"# {keyword}: {title}\n{with_mathematics(section, parts.infos[keyword])}"
+    info = parts.infos[keyword]
+    if is_live(info):
+        section = with_live_part(section).replace("KEYWORD", keyword)
+    return f"# {keyword}: {title}\n{with_mathematics(section, info)}"
 
 
 def linked_summary(parts):
