@@ -16,16 +16,19 @@ class BrdfArguments {
  public:
   explicit BrdfArguments(const grf::BrdfModel& brdf) : brdf_(brdf) {}
 
+  /// Returns the first number among these names, or another value.
   double number(std::initializer_list<std::string_view> names, double otherwise) const {
     const grf::Value* value = find(names);
     const float* number = value == nullptr ? nullptr : std::get_if<float>(value);
     return number == nullptr ? otherwise : static_cast<double>(*number);
   }
+  /// Returns the first colour likewise; a number is grey.
   grf::Vec3d colour(std::initializer_list<std::string_view> names, double otherwise) const {
     const grf::Value* value = find(names);
     const auto* colour = value == nullptr ? nullptr : std::get_if<grf::Colour>(value);
     return colour == nullptr ? grf::Vec3d(number(names, otherwise)) : grf::Vec3d(*colour);
   }
+  /// Returns whether a boolean, or a number other than 0, is set.
   bool flag(std::string_view name) const {
     const grf::Value* value = find({name});
     const bool* flag = value == nullptr ? nullptr : std::get_if<bool>(value);

@@ -25,6 +25,7 @@ struct BrdfLobes {
 /// count as GRF's default, diffuse grey.
 BrdfLobes brdf_lobes(const grf::BrdfModel& brdf);
 
+/// One term of a weighted sum of BRDFs.
 struct WeightedLobes {
   double weight = 1;
   BrdfLobes lobes;
@@ -55,6 +56,6 @@ struct BrdfRule {
   BrdfLobes (*lobes)(const BrdfArguments& arguments);
 };
 
-std::span<const BrdfRule> brdf_rules();
+std::span<const BrdfRule> brdf_rules();  ///< Returns the rules of all models that can be decomposed.
 
 }  // namespace convert

@@ -15,6 +15,7 @@
 
 namespace convert {
 
+/// What a reader is told besides the name of the file.
 struct ReadOptions {
   /// The BRDF for faces without a material; empty: they get no BRDF, and GRF's default holds.
   std::optional<grf::BrdfModel> brdf;

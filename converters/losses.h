@@ -10,6 +10,7 @@
 
 namespace convert {
 
+/// What a conversion can lose, one kind for each warning.
 enum class Loss {
   Texture,
   BumpMap,
@@ -80,10 +81,13 @@ enum class Loss {
   Geometry,
 };
 
+/// Counts what a conversion loses.
 class Losses {
  public:
+  /// Counts more losses of one kind.
   void add(Loss loss, std::size_t count = 1) { counts_[static_cast<std::size_t>(loss)] += count; }
 
+  /// Returns the number of losses of one kind.
   std::size_t count(Loss loss) const { return counts_[static_cast<std::size_t>(loss)]; }
 
   /// Reports losses on import, one warning per kind: "12 faces lost their texture: ...".

@@ -14,6 +14,7 @@ namespace convert {
 /// Converts a colour to a parameter's value: one number if the components are equal.
 grf::Value to_value(const grf::Vec3d& v);
 
+/// Makes a BRDF of a keyword and named values.
 grf::BrdfModel make_brdf(std::string keyword, const std::vector<std::pair<std::string, grf::Value>>& values);
 
 /// Makes a material without a BRDF yet: its name, and a comment with the original name and values.

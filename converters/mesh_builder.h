@@ -40,6 +40,7 @@ class MeshBuilder {
   /// Adds a face of known vertices.
   void add_face(std::span<const std::uint32_t> vertices, std::uint32_t surface);
 
+  /// Returns the number of faces that were added.
   std::size_t face_count() const { return mesh_.face_count(); }
 
   /// Moves the mesh out of the builder, which must not be used afterwards.

@@ -87,6 +87,7 @@ class WorldMeshes {
   WorldMeshes(const WorldMeshes&) = delete;  // meshes point into it
   WorldMeshes& operator=(const WorldMeshes&) = delete;
 
+  /// Returns the meshes in the order of the scene.
   const std::vector<WorldMesh>& meshes() const { return meshes_; }
 
   /// Returns the names of the BRDF definitions that faces use, in the order of first use. They are unique: if

@@ -12,6 +12,7 @@
 
 namespace grf {
 
+/// The kind of values that a parameter takes.
 enum class ParameterKind {
   Number,
   Reflectance,  ///< a number, or an RGB triple of numbers in the same range
@@ -22,6 +23,7 @@ enum class ParameterKind {
 /// The scale of a slider for the parameter.
 enum class ParameterScale { Linear, Logarithmic };
 
+/// Describes a parameter of a model: its name, range, default, unit and meaning.
 struct ParameterInfo {
   std::string_view name;
   std::vector<std::string_view> aliases;
@@ -46,6 +48,7 @@ struct LargestAlbedo {
   float degrees = 0;  ///< from the normal
 };
 
+/// Describes a BRDF model or a sampling scheme.
 struct ModelInfo {
   /// The kind of argument that the keyword takes besides parameters.
   enum class ArgumentKind {
@@ -75,14 +78,17 @@ struct ModelInfo {
   /// Returns the largest directional albedo for values that passed `check`; null if unknown.
   LargestAlbedo (*largest_albedo)(const Model&) = nullptr;
 
+  /// Finds a parameter by name or alias, or returns null.
   const ParameterInfo* find(std::string_view word) const;
 };
 
+/// The models and sampling schemes that a scene may name.
 struct Catalogue {
   std::vector<ModelInfo> brdfs;
   std::vector<ModelInfo> pdfs;
 };
 
+/// Finds a model by its keyword, or returns null.
 const ModelInfo* find_model(const std::vector<ModelInfo>& models, std::string_view keyword);
 
 /// Finds a model's argument for a parameter, by name or alias, or returns null.

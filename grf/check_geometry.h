@@ -20,6 +20,7 @@ struct FaceDefects {
 /// without uv: once per mesh if meshes have line numbers, and otherwise once per file.
 class FaceCheck {
  public:
+  /// Looks for defects of one mesh.
   void add(const Mesh& mesh, const SourceLocation& location, Diagnostics& diagnostics);
 
   /// Reports the defects, once every mesh was added.
@@ -40,6 +41,7 @@ class FaceCheck {
 /// Finds lights that face no geometry, and so cannot illuminate anything.
 class LightCheck {
  public:
+  /// Adds geometry that lights may face, or a light.
   void add(const Mesh& mesh, const Placement& placement);
   void add_light(const AreaLight& light, const Placement& placement, const Block& block);
   void add_light(const MeshLight& light, const Placement& placement, const Block& block);

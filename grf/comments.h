@@ -11,7 +11,7 @@ struct Comments {
   std::vector<std::string> before;  ///< leading comments, on lines of their own
   std::string behind;               ///< trailing comment, on the last line
 
-  bool empty() const { return before.empty() && behind.empty(); }
+  bool empty() const { return before.empty() && behind.empty(); }  ///< Returns whether there are none.
   bool operator==(const Comments&) const = default;
 };
 

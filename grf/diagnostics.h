@@ -11,8 +11,9 @@
 
 namespace grf {
 
-enum class Severity { Note, Warning, Error };
+enum class Severity { Note, Warning, Error };  ///< How bad a diagnostic is: errors leave no result.
 
+/// A message about the input, and where in it.
 struct Diagnostic {
   Severity severity = Severity::Error;
   SourceLocation location;
@@ -40,14 +41,14 @@ class Diagnostics {
 
   // Duplicates (the same message at the same location, as in a file that is included twice) are kept once.
 
-  void error(SourceLocation location, std::string_view message);
+  void error(SourceLocation location, std::string_view message);  ///< Adds an error, or a warning.
   void warning(SourceLocation location, std::string_view message);
   /// Warns that the result does not keep something of the input.
   void loss(SourceLocation location, std::string_view message);
   /// Adds a note: information that is no problem, such as the name of a file that was rewritten.
   void note(SourceLocation location, std::string_view message);
 
-  bool has_errors() const { return error_count_ > 0; }
+  bool has_errors() const { return error_count_ > 0; }  ///< Returns whether there was an error.
   // These counts include diagnostics that were not kept.
   std::size_t error_count() const { return error_count_; }
   std::size_t warning_count() const { return warning_count_; }

@@ -13,6 +13,7 @@ class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
 
+  /// Merges the sets of two elements.
   void join(std::uint32_t a, std::uint32_t b) {
     a = set_of(a);
     b = set_of(b);

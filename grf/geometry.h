@@ -29,20 +29,23 @@ bool has_spare_memory(const std::vector<T>& values) {
 template <class T>
 class OptionalVertexValues {
  public:
-  bool empty() const { return values_.empty(); }
+  bool empty() const { return values_.empty(); }  ///< Returns whether no vertex, or this one, has a value.
   bool has(std::size_t vertex) const { return vertex < present_.size() && present_[vertex]; }
   /// Returns the value of a vertex that has one.
   const T& operator[](std::size_t vertex) const { return values_[vertex]; }
 
+  /// Gives a vertex its value.
   void set(std::size_t vertex, T value) {
     if (vertex >= values_.size()) resize(vertex + 1);
     values_[vertex] = std::move(value);
     present_[vertex] = true;
   }
+  /// Reserves memory for the values of so many vertices.
   void reserve(std::size_t vertices) {
     values_.reserve(vertices);
     present_.reserve(vertices);
   }
+  /// Frees memory that values do not need.
   void free_spare_memory() {
     if (has_spare_memory(values_)) values_.shrink_to_fit();
     present_.shrink_to_fit();
@@ -77,6 +80,7 @@ struct Geometry {
   std::vector<std::uint32_t> corners;             ///< vertex indices of all faces, concatenated
   std::vector<std::uint32_t> face_offsets = {0};  ///< the first corner of each face, and one past the last
 
+  /// Returns the number of faces, or the vertices of one.
   std::size_t face_count() const { return face_offsets.size() - 1; }
   std::span<const std::uint32_t> face(std::size_t index) const {
     return std::span(corners).subspan(face_offsets[index], face_offsets[index + 1] - face_offsets[index]);
@@ -117,7 +121,7 @@ class Triangulation {
   /// Triangulates a geometry, which must outlive this at the same address.
   explicit Triangulation(const Geometry& geometry);
 
-  std::size_t size() const { return geometry_->triangle_count(); }
+  std::size_t size() const { return geometry_->triangle_count(); }  ///< Returns the number of triangles.
   /// Returns the vertex indices of a triangle, counter-clockwise seen from the front.
   std::array<std::uint32_t, 3> operator[](std::size_t triangle) const {
     if (!triangles_.empty()) return triangles_[triangle];

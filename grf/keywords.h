@@ -13,6 +13,7 @@ constexpr bool is_word_start(char c) {
   const char lower = lower_case(c);
   return (lower >= 'a' && lower <= 'z') || c == '_' || c == '$';
 }
+/// Returns whether a word may have the character, but at its start.
 constexpr bool is_word_character(char c) { return is_word_start(c) || is_digit(c); }
 
 /// Compares keywords or parameter names, case-insensitively.
@@ -24,7 +25,7 @@ constexpr bool same_keyword(std::string_view a, std::string_view b) {
   return true;
 }
 
-std::string lower_case(std::string_view word);
+std::string lower_case(std::string_view word);  ///< Returns the word with its ASCII letters in lower case.
 
 /// Returns whether the word may name a definition: a letter, `_` or `$`, then letters, digits, `_`, `$`, and
 /// not one of `begin end def none use true false`.

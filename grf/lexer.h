@@ -12,6 +12,7 @@
 
 namespace grf {
 
+/// The kind of a token; a character that begins none is Invalid.
 enum class TokenKind { EndOfFile, Word, Number, String, Punctuation, Invalid };
 
 /// A token. Views and positions are into the lexer's text: nothing is allocated per token.
@@ -22,9 +23,11 @@ struct Token {
   const char* begin = nullptr;  ///< the first character in the text, including a quote
   const char* line_begin = nullptr;
 
+  /// Returns whether this is that character of punctuation.
   bool is(char punctuation) const { return kind == TokenKind::Punctuation && text.front() == punctuation; }
 };
 
+/// A comment, which the parser attaches to what it precedes or trails.
 struct CommentToken {
   std::string_view text;  ///< without `//`
   std::uint32_t line = 1;
@@ -36,7 +39,7 @@ class Lexer {
   /// Starts at the beginning of the text, which the lexer keeps alive; a byte-order mark is skipped.
   Lexer(std::shared_ptr<const std::string> text, std::shared_ptr<const SourceFile> file);
 
-  const Token& peek() const { return ahead_; }
+  const Token& peek() const { return ahead_; }  ///< Returns the next token; `next` also steps over it.
   Token next();
   /// Returns the second token of lookahead, or the third. Costs a second scan: not for lists of numbers.
   Token peek_second() { return scan_ahead(1); }
@@ -57,7 +60,7 @@ class Lexer {
   /// Returns the size of the text from the next token on.
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - ahead_.begin); }
 
-  SourceLocation location(const Token& token);
+  SourceLocation location(const Token& token);  ///< Returns where a token is in its file.
 
  private:
   void skip_space_and_comments();

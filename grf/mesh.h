@@ -77,6 +77,7 @@ struct Mesh {
   /// Moves a complete draft into a mesh; a draft that is still needed has to be copied first.
   Mesh(MeshDraft&& draft);  // NOLINT(google-explicit-constructor)
 
+  /// Returns the number of faces, the vertices of one, or its surface.
   std::size_t face_count() const { return surface_of_face->size(); }
   std::span<const std::uint32_t> face(std::size_t index) const { return geometry->face(index); }
   const Surface& surface(std::size_t face_index) const { return surfaces[(*surface_of_face)[face_index]]; }
@@ -97,6 +98,7 @@ Mesh submesh(const Mesh& mesh, std::span<const std::uint32_t> faces);
 class SurfaceIndex {
  public:
   explicit SurfaceIndex(std::vector<Surface>& surfaces) : surfaces_(&surfaces) {}
+  /// Returns the index of a surface, which it adds if it is new.
   std::uint32_t index_of(const Surface& surface);
 
  private:

@@ -61,6 +61,7 @@ struct CombineTerm {
 
 // BRDFs and sampling schemes are distinct types, so that a variant can hold either.
 
+/// A BRDF as data: a model with its arguments.
 struct BrdfModel : Model {
   /// The terms of a `combine`, at least one; the base of a `coat`; the base and the top of a `layer`; empty
   /// for other models.
@@ -85,6 +86,7 @@ constexpr std::size_t MostLayers = 8;
 /// Returns whether a BRDF consists of layers above each other, each of which names a BRDF.
 bool is_layered(const BrdfModel& brdf);
 
+/// A sampling scheme as data.
 struct PdfModel : Model {
   bool operator==(const PdfModel&) const = default;
 };

@@ -22,6 +22,7 @@
 
 namespace grf {
 
+/// A file that is being parsed, to find files that include themselves.
 struct OpenFile {
   std::string exact_path;  ///< canonical
   std::string path;        ///< as it was named
@@ -35,6 +36,7 @@ using FileInFolder = std::pair<std::string, std::string>;
 struct ParserContext {
   explicit ParserContext(Diagnostics& where) : diagnostics(where), errors_before(where.error_count()) {}
 
+  /// Returns whether parsing added errors.
   bool has_errors() const { return diagnostics.error_count() > errors_before; }
   /// Returns true when parsing should stop: the parser gave up, or the number of errors reached its limit.
   bool is_over() const {
@@ -69,12 +71,13 @@ struct ParserContext {
   std::map<FileInFolder, BrdfModel> brdf_files;  ///< cached contents of BRDF files
 };
 
+/// A recursive-descent parser of one file.
 class Parser {
  public:
   Parser(std::shared_ptr<const std::string> text, std::shared_ptr<const SourceFile> file,
          ParserContext& context);
 
-  BlockList parse_file();
+  BlockList parse_file();  ///< Parses the whole file; what has errors is left out.
   /// Parses a whole text as one BRDF or one sampling scheme.
   std::optional<BrdfModel> parse_lone_brdf();
   std::optional<PdfModel> parse_lone_pdf();
@@ -194,10 +197,12 @@ class Parser {
   bool index_reported_ = false;  ///< an index out of range was reported in the current list of faces
 };
 
+/// Describes a file for locations, with its text for excerpts.
 std::shared_ptr<const SourceFile> source_file(const std::string& path,
                                               const std::shared_ptr<const std::string>& text,
                                               const SourceLocation& included_at);
 
+/// Returns the canonical path of a file and of its folder.
 FileInFolder file_in_folder(const std::string& path);
 
 /// Reports an empty or binary file, before its first token is read; returns false then.

@@ -87,7 +87,7 @@ struct Include {
 
 /// One step of a transform: scale factors, rotation angles in radians about x, then y, then z, or an offset.
 struct TransformStep {
-  enum class Kind { Scale, Rotation, Translation };
+  enum class Kind { Scale, Rotation, Translation };  ///< What the step does.
   Kind kind = Kind::Translation;
   Vec3f value = Vec3f(0);
 
@@ -102,6 +102,7 @@ struct Transform {
   bool operator==(const Transform&) const = default;
 };
 
+/// A named colour, BRDF, sampling scheme, texture or mesh.
 struct Definition {
   using Body = std::variant<Colour, BrdfModel, PdfModel, Texture, Shared<Mesh>>;
 
@@ -122,6 +123,7 @@ struct DefinitionScope {
   bool operator==(const DefinitionScope&) const = default;
 };
 
+/// A node of the scene graph, with its comments and its place in the file.
 struct Block {
   std::variant<Shared<Mesh>, MeshLight, AreaLight, Include, Transform, DefinitionScope, Params, Use> content;
   Comments comments;
@@ -130,6 +132,7 @@ struct Block {
   bool operator==(const Block&) const = default;
 };
 
+/// A scene as its author wrote it.
 struct Scene {
   BlockList contents;
 

@@ -16,7 +16,7 @@ class ShortLivedFolder {
   ShortLivedFolder(const ShortLivedFolder&) = delete;
   ShortLivedFolder& operator=(const ShortLivedFolder&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return path_; }  ///< Returns the folder's path.
 
  private:
   std::filesystem::path path_;

@@ -39,6 +39,6 @@ struct Summary {
   double area = 0;
 };
 
-Summary summarize(const Scene& scene);
+Summary summarize(const Scene& scene);  ///< Counts and measures a scene, instances included.
 
 }  // namespace grf

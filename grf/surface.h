@@ -19,6 +19,7 @@ using TextureAttribute = std::variant<Texture, Reference>;
 
 /// How opaque faces are. Where a face is absent, light passes as if there were no face.
 struct Opacity {
+  /// What `value` means.
   enum class Kind : std::uint8_t {
     Number,  ///< `value` is the fraction of light that meets the face
     Mask,    ///< the face is present where the alpha of its texture is `value` or more, and absent elsewhere

@@ -34,7 +34,7 @@ using FileWriter = std::function<bool(std::string_view bytes)>;
 bool replace_file(const std::string& path, const std::function<bool(const FileWriter& write)>& fill,
                   Diagnostics& diagnostics);
 
-enum class Creation { Done, Exists, Failed };
+enum class Creation { Done, Exists, Failed };  ///< What became of a file that was to be created.
 
 /// Creates a file atomically. If it exists by then, it stays unchanged and nothing is reported.
 Creation create_file(const std::string& path, std::string_view bytes, Diagnostics& diagnostics);

@@ -25,7 +25,7 @@ struct Topology {
   std::size_t nonmanifold_vertices = 0;
 };
 
-Topology topology_of(const Geometry& geometry);
+Topology topology_of(const Geometry& geometry);  ///< Counts the borders and defects of a mesh.
 
 /// Returns, for each vertex, the first one at the same position.
 std::vector<std::uint32_t> first_at_position(const Geometry& geometry);
@@ -55,6 +55,7 @@ class SharedEdges {
 
   static constexpr std::uint32_t InvalidIndex = ~0U;
 
+  /// Returns the number of different edges.
   std::uint32_t edge_count() const { return static_cast<std::uint32_t>(first_.size()); }
   /// Returns the edge that begins at a corner, or InvalidIndex if it has no length.
   std::uint32_t at_corner(std::uint32_t corner) const { return edge_of_corner_[corner]; }

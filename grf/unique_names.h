@@ -11,7 +11,7 @@ namespace grf {
 /// Makes names unique: a repeated name gets `_2`, `_3` and so on. n equal names take O(n log n).
 class UniqueNames {
  public:
-  enum class Case { Matters, Ignored };
+  enum class Case { Matters, Ignored };  ///< Whether names that differ only in case are the same.
 
   explicit UniqueNames(Case of_letters = Case::Matters) : case_(of_letters) {}
 

@@ -93,6 +93,7 @@ class ScopeStack {
   std::unordered_map<std::string_view, std::vector<std::size_t>> places_of_name_;
 };
 
+/// Where in the world, and in which scope, something visited is.
 struct Placement {
   Matrix44d to_world;
   Scope scope;  ///< the scope of the mesh or block: for an instance, that of the definition
@@ -136,7 +137,7 @@ struct ResolvedSurface {
   Opacity opacity;  ///< reads alpha only if there is a texture: without one, alpha is 1
 };
 
-ResolvedSurface resolve(const Surface& surface, const Scope& scope);
+ResolvedSurface resolve(const Surface& surface, const Scope& scope);  ///< Looks up what a surface refers to.
 
 /// A BRDF that is no `combine`, and its weight in a sum. The pointer is into the scene.
 struct WeightedBrdf {

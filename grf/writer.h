@@ -16,6 +16,7 @@
 
 namespace grf {
 
+/// The text of one file of a scene.
 struct FileText {
   std::string text;
   std::string_view problem = {};  ///< why the text cannot be read again; empty if it can
@@ -31,12 +32,14 @@ void append(std::string& text, const Vec2f& v);
 void append(std::string& text, const Vec3f& v);
 void append(std::string& text, std::span<const std::uint32_t> corners);
 
+/// Why a scene cannot be written, for messages.
 inline constexpr std::string_view NotFinite = "it would have numbers that are infinite or not a number (nan)";
+/// Why a word cannot be written as a value, for messages.
 inline constexpr std::string_view NoValueWord =
     "it would have words as values of parameters that are not names, or that begin a definition (such as "
     "rgb)";
 
-bool is_finite(const Vec2f& v);
+bool is_finite(const Vec2f& v);  ///< Returns whether no component is infinite or NaN.
 bool is_finite(const Vec3f& v);
 
 /// Returns why the text of an instance cannot be read again; empty if it can.
@@ -50,12 +53,14 @@ std::string quoted(const std::string& string);
 /// Respells a word by changing the case of its letters: the bits of each number give another spelling.
 std::string respelled(std::string word, std::uint64_t number);
 
+/// Writes blocks as GRF text in the standard style.
 class Writer {
  public:
   /// Starts a text that will be read in a scope.
   explicit Writer(const Scope& scope) : scope_(scope) {}
 
-  void blocks(const BlockList& list);
+  void blocks(const BlockList& list);  ///< Appends the text of blocks.
+  /// Appends the attributes of a surface.
   void attributes(const Surface& surface) { put_attributes(surface, {}); }
 
   /// Takes the text; it is never empty, since readers reject an empty file.

@@ -36,7 +36,7 @@ class SliceGrid {
   SliceGrid() = default;
   SliceGrid(std::vector<float> outer, std::vector<float> inner);
 
-  std::size_t slice_count() const { return outer_.size() * inner_.size(); }
+  std::size_t slice_count() const { return outer_.size() * inner_.size(); }  ///< Returns the number of pairs.
 
   /// Returns the slices around a pair of parameters, which are clamped to the grid.
   SliceWeights around(double outer, double inner) const;
@@ -52,7 +52,7 @@ struct NodeGrid {
   std::size_t width = 1;
   std::size_t height = 1;
 
-  std::size_t node_count() const { return width * height; }
+  std::size_t node_count() const { return width * height; }  ///< Returns the number of nodes.
 };
 
 /// A function on the unit square, interpolated bilinearly between nodes, in slices with one or more channels.
@@ -62,7 +62,7 @@ class BilinearTable {
   /// Takes the values in the order slice, channel, y, x.
   BilinearTable(const NodeGrid& grid, std::size_t channel_count, std::vector<float> values);
 
-  std::size_t channel_count() const { return channel_count_; }
+  std::size_t channel_count() const { return channel_count_; }  ///< Returns the number of channels.
 
   /// Evaluates a channel at a point, which is clamped to the unit square.
   double evaluate(const Vec2d& point, const SliceWeights& slices, std::size_t channel = 0) const;

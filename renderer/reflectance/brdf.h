@@ -110,6 +110,7 @@ Rgb specular_weight_of(const Model& model, const Vec3f& u) {
     return Rgb(0);
   }
 }
+/// Returns the weight of a BRDF's delta part, 0 if it has none.
 Rgb specular_weight(const Brdf& brdf, const Vec3f& u);
 
 /// Draws a direction with the model's own closed-form sampler, with its pdf.
@@ -138,6 +139,7 @@ bool is_anisotropic(const Brdf& brdf);
 /// from `n` as a half-vector lobe. For a sum, those of its widest lobe.
 std::optional<LobeExponents> lobe_exponents(const Brdf& brdf);
 
+/// Returns the descriptions of all models, in the order of the documents.
 std::vector<grf::ModelInfo> brdf_infos();
 
 }  // namespace reflectance

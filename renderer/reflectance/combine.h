@@ -36,6 +36,7 @@ struct Combine {
   float albedo_estimate(const Vec3f& u) const;
   std::optional<DirectionSample> sample(const Vec3f& u, const Uniforms& xi) const;
   float pdf(const Vec3f& u, const Vec3f& v) const { return reflect(u, v).pdf; }
+  /// Returns value and pdf at once, for less than both.
   Reflection reflect(const Vec3f& u, const Vec3f& v) const;
 
   bool has_specular_part() const;

@@ -24,6 +24,7 @@ inline Vec3f cosine_lobe_direction(const Vec3f& u, float n, const Vec2f& xi) {
   return Frame(mirrored(u)).to_world(power_direction(n, xi));
 }
 
+/// Returns the solid-angle pdf of directions that the lobe samples.
 inline float cosine_lobe_pdf(const Vec3f& u, const Vec3f& v, float n) {
   return (n + 1) / (2 * Pi) * glsl::CommonFormulas<float>().mirror_power(u, v, n);
 }

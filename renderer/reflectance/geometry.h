@@ -15,14 +15,16 @@ using grf::Vec3f;
 /// A linear RGB reflectance, BRDF value or weight.
 using Rgb = Imath::V3f;
 
-constexpr float Pi = std::numbers::pi_v<float>;
+constexpr float Pi = std::numbers::pi_v<float>;  ///< The circle constant.
 
+/// Returns the mean, or the largest, of the channels.
 inline float mean(const Rgb& rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 inline float largest(const Rgb& rgb) { return std::max({rgb.x, rgb.y, rgb.z}); }
 /// The luminance of linear sRGB. In double: three channels near the largest float sum to more.
 inline double luminance(const Rgb& rgb) {
   return 0.2126 * double(rgb.x) + 0.7152 * double(rgb.y) + 0.0722 * double(rgb.z);
 }
+/// Returns whether no channel is positive.
 inline bool is_black(const Rgb& rgb) { return rgb.x <= 0 && rgb.y <= 0 && rgb.z <= 0; }
 
 /// Returns the mirror direction of u.
@@ -69,6 +71,7 @@ struct Frame {
     y = z.cross(x);
   }
 
+  /// Converts directions between the world and the frame.
   Vec3f to_local(const Vec3f& world) const { return {world.dot(x), world.dot(y), world.dot(z)}; }
   Vec3f to_world(const Vec3f& local) const { return local.x * x + local.y * y + local.z * z; }
 };
@@ -85,6 +88,7 @@ struct SineAndCosine {
   }
 };
 
+/// A point of the unit disc.
 struct DiscPoint {
   Vec2f point;
   float height2 = 1;  ///< squared height of the unit hemisphere above the point
@@ -104,7 +108,7 @@ inline DiscPoint disc_point(const Vec2f& xi) {
   const Vec2f direction = wide ? Vec2f(turn.cosine, turn.sine) : Vec2f(turn.sine, turn.cosine);
   return {radius * direction, (1 - radius) * (1 + radius)};
 }
-inline Vec2f to_disc(const Vec2f& xi) { return disc_point(xi).point; }
+inline Vec2f to_disc(const Vec2f& xi) { return disc_point(xi).point; }  ///< Returns the point only.
 
 /// Samples a direction with pdf cos(theta)/pi.
 inline Vec3f cosine_direction(const Vec2f& xi) {
@@ -115,6 +119,7 @@ inline Vec3f cosine_direction(const Vec2f& xi) {
 inline Vec3f uniform_direction(const Vec2f& xi) {
   return from_angles(1 - xi.x, std::sqrt(xi.x * (2 - xi.x)), 2 * Pi * xi.y);
 }
+/// Returns the pdf of `cosine_direction`, per solid angle.
 inline float cosine_pdf(const Vec3f& v) { return std::max(0.0F, v.z) / Pi; }
 
 }  // namespace reflectance

@@ -107,6 +107,7 @@ E: the albedo of white facets for a view, m: its mean;  k = Fm^2 m/(1 - Fm (1-m)
 
   bool is_anisotropic() const { return alpha != ay || anisotropy != 0; }
 
+  /// Returns Fresnel's reflectance at the half vector.
   Rgb reflectance(const Vec3f& u, const Vec3f& v) const {
     return Formula().ggx_reflectance(u, v, nreal, nimag, f0, f82);
   }

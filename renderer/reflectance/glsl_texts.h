@@ -6,11 +6,12 @@
 
 namespace reflectance {
 
+/// One .glsl file.
 struct GlslText {
   std::string_view name;  ///< file name without extension
   std::string_view text;
 };
 
-const std::vector<GlslText>& glsl_texts();
+const std::vector<GlslText>& glsl_texts();  ///< Returns all .glsl files of the folder.
 
 }  // namespace reflectance

@@ -23,6 +23,7 @@ struct HalfAngles {
   double phi_difference = 0;    ///< azimuth about h, 0 to pi: those of u are half a turn away
 };
 
+/// Returns the angles of a pair of directions (Rusinkiewicz 1998).
 template <class Real>
 HalfAngles half_angles(const Imath::Vec3<Real>& u, const Imath::Vec3<Real>& v) {
   const Imath::Vec3<Real> sum = u + v;
@@ -50,7 +51,7 @@ HalfAngles half_angles(const Imath::Vec3<Real>& u, const Imath::Vec3<Real>& v) {
 struct DirectionPair {
   Imath::V3d u, v;
 };
-DirectionPair directions_of(const HalfAngles& angles);
+DirectionPair directions_of(const HalfAngles& angles);  ///< Returns a pair of directions with these angles.
 
 /// A measured isotropic BRDF in the format of the MERL data base (Matusik, Pfister, Brand and McMillan 2003):
 /// values at 90 x 90 x 180 angles of h and about it, finer towards h = n.

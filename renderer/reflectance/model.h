@@ -53,6 +53,7 @@ inline Uniforms rescale(Uniforms xi, float taken) {
   return xi;
 }
 
+/// A direction that a sampler drew, and its weight in an estimate.
 struct DirectionSample {
   Vec3f direction;
   Rgb weight;  ///< f cos(theta_v) / pdf
@@ -115,37 +116,45 @@ struct ModelTable {
   std::string_view example = {};
 };
 
+/// Fills in the kind and the default of a parameter's description by its field.
 inline void describe(grf::ParameterInfo& entry, float default_value) {
   entry.kind = grf::ParameterKind::Number;
   entry.default_value = default_value;
 }
+/// Describes a colour likewise.
 inline void describe(grf::ParameterInfo& entry, const Rgb& default_value) {
   entry.kind = grf::ParameterKind::Reflectance;
   entry.default_value = default_value.x;
   if (default_value != Rgb(default_value.x)) entry.default_rgb = default_value;
 }
+/// Describes a boolean likewise: the default is 0 or 1.
 inline void describe(grf::ParameterInfo& entry, bool default_value) {
   entry.kind = grf::ParameterKind::Boolean;
   entry.default_value = default_value ? 1.0F : 0.0F;
 }
 
+/// Describes a parameter that takes words: the default is an index.
 inline void describe(grf::ParameterInfo& entry, int default_choice) {
   entry.kind = grf::ParameterKind::Word;
   entry.default_value = static_cast<float>(default_choice);
 }
 
+/// Sets a field to a value of a scene, which was checked.
 inline void assign(float& field, const grf::Value& value, const grf::ParameterInfo&) {
   if (const auto* number = std::get_if<float>(&value)) field = *number;
 }
+/// Sets a colour likewise; a number is grey.
 inline void assign(Rgb& field, const grf::Value& value, const grf::ParameterInfo&) {
   if (const auto* number = std::get_if<float>(&value)) field = Rgb(*number);
   if (const auto* rgb = std::get_if<grf::Colour>(&value)) field = *rgb;
 }
+/// Sets a boolean likewise; a number other than 0 is true.
 inline void assign(bool& field, const grf::Value& value, const grf::ParameterInfo&) {
   if (const auto* flag = std::get_if<bool>(&value)) field = *flag;
   if (const auto* number = std::get_if<float>(&value)) field = *number != 0;
 }
 
+/// Sets a field to the index of a word.
 inline void assign(int& field, const grf::Value& value, const grf::ParameterInfo& parameter) {
   const auto* word = std::get_if<grf::Word>(&value);
   if (word == nullptr) return;
@@ -224,6 +233,7 @@ grf::ModelInfo info_of() {
 
 // The functions below make rows of parameter tables.
 
+/// Makes the row of a colour from 0 to 1.
 template <class Model>
 Parameter<Model> reflectance_parameter(Rgb Model::*field, std::string_view name, std::string_view help,
                                        std::vector<std::string_view> aliases = {}) {
@@ -246,6 +256,7 @@ Parameter<Model> rgb_parameter(Rgb Model::*field, std::string_view name, float m
   return parameter;
 }
 
+/// Makes the row of a boolean.
 template <class Model>
 Parameter<Model> boolean_parameter(bool Model::*field, std::string_view name, std::string_view help) {
   grf::ParameterInfo info;
@@ -265,6 +276,7 @@ Parameter<Model> word_parameter(int Model::*field, std::string_view name,
   return {field, std::move(info)};
 }
 
+/// Makes the row of a number from a minimum to a maximum.
 template <class Model>
 Parameter<Model> number_parameter(float Model::*field, std::string_view name, float minimum, float maximum,
                                   std::string_view help,

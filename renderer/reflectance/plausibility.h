@@ -23,6 +23,7 @@ class AngleMap {
   /// Returns the angle at the centre of the cells of a row or column, in degrees.
   static double degrees(std::size_t index) { return (static_cast<double>(index) + 0.5) * CellDegrees; }
 
+  /// Returns the value for the indices of a view and a light.
   double& at(std::size_t view, std::size_t light) { return values_[view * Side + light]; }
   double at(std::size_t view, std::size_t light) const { return values_[view * Side + light]; }
 

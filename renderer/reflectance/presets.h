@@ -7,11 +7,13 @@
 
 namespace reflectance {
 
+/// A BRDF with a name that people know.
 struct Preset {
   std::string_view name;
   std::string_view brdf;  ///< GRF text of a BRDF instance
 };
 
+/// Presets under one title.
 struct PresetTable {
   std::string_view title;
   std::vector<Preset> presets;

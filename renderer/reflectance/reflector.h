@@ -9,6 +9,7 @@
 
 namespace reflectance {
 
+/// A direction in which a path continues.
 struct ScatterSample {
   Vec3f direction;
   Rgb weight;     ///< f cos / pdf, or the delta part's weight over its probability
@@ -51,7 +52,7 @@ class Reflector {
   /// fraction of them.
   void sample_many(const Vec3f& u, std::span<const Uniforms> xi, std::vector<ScatterSample>& out) const;
 
-  const Brdf& brdf() const { return brdf_; }
+  const Brdf& brdf() const { return brdf_; }  ///< Returns the BRDF; `scheme` samples it.
   const Scheme& scheme() const { return scheme_; }
 
   /// Returns true if directly sampled light can be reflected: the BRDF is not only a delta part.

@@ -22,9 +22,10 @@ struct Resampling {
   bool operator==(const Resampling&) const = default;
 };
 
+/// Chooses a few of many candidates in proportion to their weights.
 class Resampler {
  public:
-  void clear();
+  void clear();  ///< Forgets all candidates.
 
   /// Adds a candidate with its single-sample estimate of the integral, f L cos / p without visibility.
   /// Candidates that contribute nothing count too.

@@ -48,6 +48,7 @@ class RglData {
   /// Estimates the mean albedo of the channels, at most 1, from a table over the angle of u.
   float albedo(const Vec3f& u) const;
 
+  /// Returns what the file says of itself.
   bool is_isotropic() const { return tables_.range == AzimuthRange::Isotropic; }
   const std::string& description() const { return tables_.description; }
 

@@ -33,6 +33,7 @@ struct RglExportSettings {
   std::string description;
 };
 
+/// A BRDF as tables of the RGL format, and how far they are from it.
 struct RglExport {
   std::string bytes;
   double resolution = 1;     ///< the factor

@@ -55,6 +55,7 @@ std::optional<Scheme> make_scheme(const grf::Model& data);
 /// Returns the scheme of a face without a `pdf`: `auto`.
 Scheme default_scheme();
 
+/// Returns why a scheme cannot sample a BRDF; empty if it can.
 std::string unsupported_reason(const Scheme& scheme, const Brdf& brdf);
 
 /// Builds the tables of a scheme for a BRDF that it supports.
@@ -66,6 +67,7 @@ std::size_t bytes(const Scheme& scheme);
 /// Returns true if the scheme's pdf may be 0 where some BRDFs reflect light.
 bool is_incomplete(const Scheme& scheme);
 
+/// Draws a direction, and returns the pdf of any direction: see model.h.
 std::optional<DirectionSample> sample(const Scheme& scheme, const Brdf& brdf, const Vec3f& u,
                                       const Uniforms& xi);
 float pdf(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, const Vec3f& v);
@@ -76,6 +78,7 @@ float pdf(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, const Vec3f& v
 void sample_many(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::span<const Uniforms> xi,
                  std::vector<DirectionSample>& out);
 
+/// Returns the descriptions of all schemes, in the order of the documents.
 std::vector<grf::ModelInfo> scheme_infos();
 
 /// Returns the catalogue of all BRDFs and sampling schemes, for `grf::check`.

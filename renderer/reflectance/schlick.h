@@ -28,6 +28,7 @@ struct SchlickLayer {
   float roughness = 0;  ///< 0: a mirror, with no facets to sample
   float isotropy = 1;
 
+  /// Samples a direction by the distribution of the facets.
   Vec3f facets_direction(const Vec3f& u, const Vec2f& xi) const {
     const float slope = std::sqrt(r() * xi.x / (1 - xi.x));
     const float psi = 2 * Pi * xi.y;
@@ -36,6 +37,7 @@ struct SchlickLayer {
     const float scale = slope / std::sqrt(x * x + y * y);
     return reflected(u, Vec3f(scale * x, scale * y, 1).normalized());
   }
+  /// Returns the solid-angle pdf of `facets_direction`.
   float facets_pdf(const Vec3f& u, const Vec3f& v) const {
     if (!(roughness > 0)) return 0;
     const Vec3f h = u + v;
@@ -54,7 +56,9 @@ struct SchlickLayer {
     return formula().schlick_between_facets(u, v, r()) * v.z / (2 * visible(u) * visible(v));
   }
 
+  /// Returns the albedo of the facets for a view.
   float facets_albedo(const Vec3f& u) const { return roughness > 0 ? u.z / visible(u) : 0; }
+  /// Returns the albedo of light scattered between facets.
   float between_albedo(const Vec3f& u) const {
     if (!(roughness > 0)) return 0;
     const float a = 1 - r();

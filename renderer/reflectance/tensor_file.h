@@ -37,7 +37,7 @@ struct Tensor {
   std::vector<std::size_t> shape;
   std::string_view bytes;  ///< the elements in little-endian order, at any alignment, kept by the file
 
-  std::size_t count() const { return bytes.size() / size_of(type); }
+  std::size_t count() const { return bytes.size() / size_of(type); }  ///< Returns the number of elements.
 
   /// Returns the elements of a Float32 array, or nothing for another type.
   std::vector<float> floats() const;
@@ -77,7 +77,7 @@ class TensorFileMaker {
   /// Adds an array of bytes.
   void add(const std::string& name, const std::string& bytes);
 
-  std::string bytes() const;
+  std::string bytes() const;  ///< Returns the file's bytes.
 
  private:
   struct Entry {

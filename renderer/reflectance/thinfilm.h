@@ -98,6 +98,7 @@ e = exp(4 pi i thickness sqrt(film^2 - sin^2)/l), a: amplitude at the film's fro
 
   bool is_anisotropic() const { return alpha != ay; }
 
+  /// Returns the film's reflectance at the half vector.
   Rgb reflectance(const Vec3f& u, const Vec3f& v) const {
     return Formula().film_at_half(u, v, thickness, film, nreal, nimag);
   }
