@@ -23,12 +23,14 @@ class Site:
         self.anchors = {}  # (document, anchor) -> (page, anchor), where a section moved to a page of its own
         self.code = set()  # files of the tree that pages show as listings
         self.written = set()
+        self.has_other_pages = False  # than the run before
 
     def write(self, page, text):
         """Writes the text of a page, and leaves it alone if it is the same: Sphinx then does nothing either."""
         path = self.folder / f"{page}.md"
         self.written.add(path)
         path.parent.mkdir(parents=True, exist_ok=True)
+        self.has_other_pages |= not path.exists()
         if not path.exists() or path.read_text() != text:
             path.write_text(text)
 
@@ -103,6 +105,7 @@ class Site:
         for path in self.folder.rglob("*.md"):
             if path not in self.written:
                 path.unlink()
+                self.has_other_pages = True
 
 
 def with_contents(text, pages, depth=2):

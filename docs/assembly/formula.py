@@ -1,4 +1,4 @@
-"""Formulas of the models' tables, plain text such as `f = kd/pi (cu cv)^(k-1)`, are set in mathematics, as TeX.
+"""Formulas of the models, plain text such as `f = kd/pi (cu cv)^(k-1)`, are set in mathematics, as TeX.
 
 A line has pieces, separated by `;` or several spaces. A piece is an equation, words, or an equation and words. A space or
 nothing between factors multiplies them; `name(` without a space is a function's value.

@@ -51,10 +51,9 @@ def to_es(text):
 
 
 def sources(brdf, keyword):
-    read = lambda path: path.read_text()  # noqa: E731
-    sphere = [brdf, specular_function(brdf, keyword), read(REFLECTANCE / "studio.glsl"), read(LIVE / "sphere_before.glsl"),
-              read(REFLECTANCE / "lit_surface.glsl"), read(LIVE / "sphere.frag")]
-    return {"evaluator": brdf + read(LIVE / "evaluator.frag"), "sphere": "".join(sphere)}
+    files = [REFLECTANCE / "studio.glsl", LIVE / "sphere_before.glsl", REFLECTANCE / "lit_surface.glsl", LIVE / "sphere.frag"]
+    sphere = [brdf, specular_function(brdf, keyword), *map(pathlib.Path.read_text, files)]
+    return {"evaluator": brdf + (LIVE / "evaluator.frag").read_text(), "sphere": "".join(sphere)}
 
 
 def write_model(folder, info, brdf):

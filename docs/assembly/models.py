@@ -71,7 +71,8 @@ def model_page(parts, keyword):
 def linked_summary(parts):
     """Links the first cell of each row to its model."""
     return re.sub(r"^\| (\w+) \|(?= (?:yes|not always) )",
-                  lambda m: f"| [{m[1]}](#{slug(f'{m[1]}: {parts.sections[m[1]][0]}')}) |", parts.summary, flags=re.MULTILINE)
+                  lambda m: f"| [{m[1]}](#{slug(f'{m[1]}: {parts.sections[m[1]][0]}')}) |", parts.summary,
+                  flags=re.MULTILINE)
 
 
 def write_pages(site, page, parts):
