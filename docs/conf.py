@@ -35,7 +35,27 @@ html_theme_options = {
         "font-stack": "Inter, 'Source Sans 3', 'Segoe UI', Roboto, 'DejaVu Sans', system-ui, sans-serif",
         "font-stack--monospace": "'JetBrains Mono', 'Source Code Pro', 'DejaVu Sans Mono', ui-monospace, monospace",
     },
-    "dark_css_variables": {"color-brand-primary": "#f0a27f", "color-brand-content": "#f0a27f"},
+    # All of them: Debian's Furo has lost its colours for systems that are set to dark.
+    "dark_css_variables": {
+        "color-brand-primary": "#f0a27f",
+        "color-brand-content": "#f0a27f",
+        "color-problematic": "#ee5151",
+        "color-foreground-primary": "#e6e6e6",
+        "color-foreground-secondary": "#a4a8ad",
+        "color-foreground-muted": "#868b92",
+        "color-foreground-border": "#5c6066",
+        "color-background-primary": "#141517",
+        "color-background-secondary": "#1b1d20",
+        "color-background-hover": "#22252a",
+        "color-background-hover--transparent": "#22252a00",
+        "color-background-border": "#32363a",
+        "color-background-item": "#444444",
+        "color-highlighted-background": "#083563",
+        "color-highlight-on-target": "#3a3312",
+        "color-admonition-background": "#18181a",
+        "color-card-background": "#18181a",
+        "color-card-marginals-background": "#22252a",
+    },
 }
 
 

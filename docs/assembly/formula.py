@@ -1,7 +1,7 @@
 """Formulas of the models, plain text such as `f = kd/pi (cu cv)^(k-1)`, are set in mathematics, as TeX.
 
-A line has pieces, separated by `;` or several spaces. A piece is an equation, words, or an equation and words. A space or
-nothing between factors multiplies them; `name(` without a space is a function's value.
+A line has pieces, separated by `;` or several spaces. A piece is an equation, words, or an equation and words. A space
+or nothing between factors multiplies them; `name(` without a space is a function's value.
 """
 
 import re
@@ -257,7 +257,8 @@ def longest_expression(text, place, names):
         tex = reader.equation().replace("&", "")
     except NoMathematics:
         return None, place
-    is_article = re.fullmatch(r"a|A|I|[a-z]{3,}", text[place:reader.place].strip()) and text[place:reader.place] not in GREEK
+    words = text[place:reader.place]
+    is_article = re.fullmatch(r"a|A|I|[a-z]{3,}", words.strip()) and words not in GREEK
     is_whole = not re.compile(r"[\w(']").match(text, reader.place)
     return (tex, reader.place) if is_whole and not is_article else (None, place)
 

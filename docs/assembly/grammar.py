@@ -78,9 +78,10 @@ def diagram_of(node):
 def to_markdown(text):
     """Returns a section with the diagram of each rule."""
     out = "\n## Grammar\n\n" \
-        "Rounded boxes are keywords, which are case-insensitive; square boxes are other rules and, in italics, tokens. White\n" \
-        "space and comments separate tokens. A test compares these rules with the parser.\n\n"
+        "Rounded boxes are keywords, which are case-insensitive; square boxes are other rules and, in italics, tokens.\n" \
+        "White space and comments separate tokens. A test compares these rules with the parser.\n\n"
     for name, node in rules_of(text).items():
         svg = re.sub(r">\n+", ">", diagram_of(node)).strip().replace("\n", " ")
-        out += f'<figure class="railroad" id="grammar-{name}"><figcaption>{html.escape(name)}</figcaption>{svg}</figure>\n\n'
+        caption = f"<figcaption>{html.escape(name)}</figcaption>"
+        out += f'<figure class="railroad" id="grammar-{name}">{caption}{svg}</figure>\n\n'
     return out

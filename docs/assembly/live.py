@@ -51,7 +51,8 @@ def to_es(text):
 
 
 def sources(brdf, keyword):
-    files = [REFLECTANCE / "studio.glsl", LIVE / "sphere_before.glsl", REFLECTANCE / "lit_surface.glsl", LIVE / "sphere.frag"]
+    files = [REFLECTANCE / "studio.glsl", LIVE / "sphere_before.glsl", REFLECTANCE / "lit_surface.glsl",
+             LIVE / "sphere.frag"]
     sphere = [brdf, specular_function(brdf, keyword), *map(pathlib.Path.read_text, files)]
     return {"evaluator": brdf + (LIVE / "evaluator.frag").read_text(), "sphere": "".join(sphere)}
 
