@@ -12,7 +12,9 @@ RELATIONS = {"=": "=", "<=": r"\le", ">=": r"\ge", "<": "<", ">": ">"}
 ANGLES = {"cu": r"\theta_u", "cv": r"\theta_v"}  # their cosines
 SHORT_WORDS = {"As", "is", "of", "at", "as", "in", "it", "or", "by", "to", "an", "be", "if", "no", "on", "so", "nm"}
 NAMES = GREEK | FUNCTIONS | {"sqrt", "erfc", "sum", "base", "top", "eon", "ggx", "inside", "Fresnel", "dip"}
-TOKEN = re.compile(r"\s*(?:(\d+(?:\.\d+)?(?:e-?\d+)?)|([A-Za-z][A-Za-z0-9]*(?:_[a-z]+)?(?:'[xyz]?(?![A-Za-z]))?)|(<=|>=|.))")
+NUMBER = r"\d+(?:\.\d+)?(?:e-?\d+)?"
+NAME = r"[A-Za-z][A-Za-z0-9]*(?:_[a-z]+)?(?:'[xyz]?(?![A-Za-z]))?"
+TOKEN = re.compile(rf"\s*(?:({NUMBER})|({NAME})|(<=|>=|.))")
 
 INTEGRAL = re.compile(r"\s*the integral over the (\w+) of ")
 
@@ -206,7 +208,8 @@ class Reader:
                 raise NoMathematics
             self.place = over.end()
             domain = over[1].replace(" and ", ",")
-            domain = domain.replace(">=", r"\ge") if re.fullmatch(r"\w(,\w)*|\w >= \d", domain) else rf"\text{{{domain}}}"
+            is_formula = re.fullmatch(r"\w(,\w)*|\w >= \d", domain)
+            domain = domain.replace(">=", r"\ge") if is_formula else rf"\text{{{domain}}}"
             tex = rf"\sum_{{{domain}}} " + self.term()
             return tex, tex, None
         is_call = self.text[self.place:self.place + 1] == "("

@@ -54,6 +54,31 @@ TEST_F(BptBrdf, ListsAllModelsAsJson) {
   EXPECT_EQ(named("oren")["parameters"][0]["unit"], "rad");
 }
 
+TEST_F(BptBrdf, DescribesTheKindsOfParametersAsJson) {
+  for (const nlohmann::json& model : json({"list"})["models"]) {
+    const nlohmann::json& parameters = model["parameters"];
+    if (model["keyword"] == "ward") {
+      EXPECT_EQ(parameters[0]["kind"], "number");
+      EXPECT_EQ(parameters[0]["logarithmic"], true);
+      EXPECT_EQ(parameters[1]["default_from"], "sx");
+      EXPECT_EQ(parameters[2]["kind"], "reflectance");
+    } else if (model["keyword"] == "schlick") {
+      EXPECT_EQ(parameters[3]["name"], "Ly");
+      EXPECT_EQ(parameters[3]["kind"], "boolean");
+    }
+  }
+}
+
+TEST_F(BptBrdf, PrintsTheShader) {
+  const std::string text = out({"glsl", "diffuse kd=(0.1, 0.2, 0.3)"});
+  EXPECT_NE(text.find("vec3 brdf_value(vec3 u, vec3 v)"), std::string::npos);
+  EXPECT_NE(text.find("return bounded(kd / PI);"), std::string::npos) << text;
+  const nlohmann::json shader = json({"glsl", "diffuse kd=(0.5, 0.25, 1)"});
+  EXPECT_EQ(shader["text"], text) << "the same for all parameters";
+  EXPECT_EQ(shader["parameters"], nlohmann::json::parse("[[0.5, 0.25, 1]]"));
+  expect_failure({"glsl", "diffuse kd=2"}, 1, "kd");
+}
+
 TEST_F(BptBrdf, ChecksWhatIsPlausible) {
   const std::string text = out({"check", "diffuse kd=0.5"});
   EXPECT_EQ(text,
