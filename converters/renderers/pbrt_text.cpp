@@ -80,12 +80,13 @@ class PbrtWriter {
   std::size_t opacity_images_ = 0;
 };
 
+// pbrt saves halves by default, of 11 bits and up to 65504: less than a bright lamp.
 void PbrtWriter::put_options() {
   const RenderView& view = scene_.view;
   const std::string stem = grf::file_name(scene_.path);
   put("Film \"rgb\" \"string filename\" [ {} ]\n", pbrt_string(stem.substr(0, stem.rfind('.')) + ".exr"));
   put("  \"integer xresolution\" [ {} ] \"integer yresolution\" [ {} ]\n", view.width, view.height);
-  put("  \"string sensor\" [ \"cie1931\" ] \"float iso\" [ 100 ]\n");
+  put("  \"string sensor\" [ \"cie1931\" ] \"float iso\" [ 100 ] \"bool savefp16\" [ false ]\n");
   put("PixelFilter \"box\" \"float xradius\" [ 0.5 ] \"float yradius\" [ 0.5 ]\n");
   put("Sampler \"halton\" \"integer pixelsamples\" [ {} ]\n", view.samples);
   put("Integrator \"path\" \"integer maxdepth\" [ {} ]\n", view.depth);

@@ -40,6 +40,12 @@ class RenderSceneBuilder {
   bool has_failed_ = false;
 };
 
+// Mitsuba's `mask` keeps the light of an emitter, and pbrt takes an area light with `alpha` 0 for one that
+// lights without being seen.
+bool is_absent(const grf::Opacity& opacity) {
+  return opacity.value == 0 && opacity.kind != grf::Opacity::Kind::Mask;
+}
+
 void RenderSceneBuilder::grow(const grf::Mesh& mesh, const grf::Matrix44d& to_world) {
   for (const grf::Vec3f& position : mesh.geometry->positions) {
     scene_.bounds.extendBy(grf::Vec3d(position) * to_world);
@@ -99,6 +105,7 @@ std::vector<RenderShape> RenderSceneBuilder::shapes_of(const grf::Mesh& mesh,
   for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
     if (faces[i] == 0) continue;
     const grf::ResolvedSurface surface = grf::resolve(mesh.surfaces[i], placement.scope);
+    if (is_absent(surface.opacity)) continue;
     RenderShape shape;
     shape.name = name;
     shape.mesh = &mesh;
@@ -123,6 +130,7 @@ void RenderSceneBuilder::add(const grf::Mesh& mesh, const grf::Placement& placem
     return;
   }
   std::vector<RenderShape> shapes = shapes_of(mesh, placement);
+  if (shapes.empty()) return;
   const bool emits = std::any_of(shapes.begin(), shapes.end(),
                                  [](const RenderShape& shape) { return shape.emission.has_value(); });
   if (placement.instance_of == nullptr || emits || !mesh.geometry->colours.empty()) {

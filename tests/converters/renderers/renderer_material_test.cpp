@@ -171,6 +171,18 @@ TEST(RendererOpacity, IsThatOfShapes) {
   EXPECT_THAT(scene.pbrt_warnings(), testing::Not(HasSubstr("opacity")));
 }
 
+// A mask keeps the light of Mitsuba's emitters, and pbrt's area lights with `alpha` 0 are there and unseen.
+TEST(RendererOpacity, OfZeroLeavesFacesOutWithTheirLight) {
+  const ExportedScene scene(
+      cube("brdf diffuse", {"light rgb (4, 2, 1) opacity 0", "light none opacity none", "", "", "", ""}));
+  ASSERT_EQ(scene.pbrt().shapes.size(), 1U);
+  EXPECT_FALSE(scene.pbrt().shapes[0].emission);
+  ASSERT_EQ(scene.mitsuba().all("shape").size(), 1U);
+  EXPECT_TRUE(scene.mitsuba().all("shape")[0].all("emitter").empty());
+  EXPECT_EQ(scene.pbrt_meshes().at(0).face_count(), 10U) << "triangles of the five other faces";
+  EXPECT_EQ(scene.mitsuba_meshes().at(0).face_count(), 10U);
+}
+
 TEST(RendererOpacity, IsAnImageWhereAlphaDecides) {
   const test::TemporaryFolder files;
   // Two pixels of red with an alpha of 0.2 and 1, bottom up, blue first.

@@ -84,6 +84,7 @@ TEST(RendererCameras, HaveFilmDepthSamplesAndLens) {
   EXPECT_EQ(options.at("Film").number("xresolution"), 64);
   EXPECT_EQ(options.at("Film").number("yresolution"), 32);
   EXPECT_EQ(options.at("Film").number("iso"), 100);
+  EXPECT_EQ(options.at("Film").string("savefp16"), "false") << "halves end at 65504";
   EXPECT_EQ(options.at("Sampler").number("pixelsamples"), 48);
   EXPECT_EQ(options.at("Integrator").number("maxdepth"), 7) << "pbrt counts bounces, as we do";
   EXPECT_EQ(options.at("Camera").number("lensradius"), 0.125);
