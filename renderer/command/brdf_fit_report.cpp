@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "command_line/report_document.h"
 #include "grf/text_file.h"
-#include "renderer/command/report_document.h"
 #include "renderer/fit/metric.h"
 #include "renderer/plot/brdf_charts.h"
 #include "renderer/plot/chart.h"
@@ -21,6 +21,7 @@
 namespace command {
 namespace {
 
+using command_line::ReportDocument;
 using fit::Fit;
 using fit::Metric;
 using fit::Observation;

@@ -1,11 +1,11 @@
-#include "renderer/command/report_document.h"
+#include "command_line/report_document.h"
 
 #include <gtest/gtest.h>
 
 namespace {
 
-command::ReportDocument document() {
-  command::ReportDocument document;
+command_line::ReportDocument document() {
+  command_line::ReportDocument document;
   document.add_heading(1, "Fit of a<b>_c.csv");
   document.add_paragraph("1 < 2 & 3 * 4");
   document.add_code("def a = 1 < 2\n  end\n");

@@ -1,10 +1,10 @@
-#include "renderer/command/report_document.h"
+#include "command_line/report_document.h"
 
 #include <string_view>
 
 #include <fmt/format.h>
 
-namespace command {
+namespace command_line {
 namespace {
 
 std::string escaped_html(std::string_view text) {
@@ -131,4 +131,4 @@ std::string ReportDocument::html() const {
   return text + "</body>\n</html>\n";
 }
 
-}  // namespace command
+}  // namespace command_line

@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-namespace command {
+namespace command_line {
 
 /// A document of headings, paragraphs, texts in a program's language, tables and pictures, which becomes
 /// Markdown or a page of HTML. Texts are plain; what has a meaning in either format is escaped.
@@ -58,4 +58,4 @@ class ReportDocument {
   std::vector<std::variant<Heading, Paragraph, Code, Table, Picture>> parts_;
 };
 
-}  // namespace command
+}  // namespace command_line
