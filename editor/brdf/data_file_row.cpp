@@ -16,8 +16,9 @@ DataFileRow::DataFileRow(QWidget* parent) : QWidget(parent) {
   line_ = new QLineEdit(this);
   line_->setAccessibleName(tr("File of measured data"));
   line_->setToolTip(tr(
-      "A .binary file of the MERL BRDF database, or a .bsdf file of the RGL material database, by its path "
-      "or relative to the scene"));
+      "A .bsdf file of the RGL material database for rgl; for measured a file of the MERL (.binary) or UTIA "
+      "(.bin) database, of Zemax or LightTools (.bsdf), ASTM E1392 or CSV; by its path or relative to the "
+      "scene"));
   name->setBuddy(line_);
   const QString choose_file = tr("Choose the file of measured data");
   row->addWidget(name);
@@ -35,7 +36,7 @@ void DataFileRow::set_file(const QString& file, bool is_mixed) {
 
 void DataFileRow::choose() {
   auto* dialog = new QFileDialog(window(), tr("Measured data"), file_,
-                                 tr("Measured data (*.binary *.bsdf);;All files (*)"));
+                                 tr("Measured data (*.binary *.bsdf *.bin *.astm *.csv);;All files (*)"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, &DataFileRow::take);

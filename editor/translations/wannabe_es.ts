@@ -1542,8 +1542,8 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <translation>Archivo de datos medidos</translation>
     </message>
     <message>
-        <source>A .binary file of the MERL BRDF database, or a .bsdf file of the RGL material database, by its path or relative to the scene</source>
-        <translation>Un archivo .binary de la base de datos de BRDF MERL, o un archivo .bsdf de la base de datos de materiales RGL, por su ruta o relativo a la escena</translation>
+        <source>A .bsdf file of the RGL material database for rgl; for measured a file of the MERL (.binary) or UTIA (.bin) database, of Zemax or LightTools (.bsdf), ASTM E1392 or CSV; by its path or relative to the scene</source>
+        <translation>Un archivo .bsdf de la base de datos de materiales RGL para rgl; para measured, un archivo de la base de datos MERL (.binary) o UTIA (.bin), de Zemax o LightTools (.bsdf), ASTM E1392 o CSV; por su ruta o relativo a la escena</translation>
     </message>
     <message>
         <source>Choose the file of measured data</source>
@@ -1562,8 +1562,8 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <translation>Datos medidos</translation>
     </message>
     <message>
-        <source>Measured data (*.binary *.bsdf);;All files (*)</source>
-        <translation>Datos medidos (*.binary *.bsdf);;Todos los archivos (*)</translation>
+        <source>Measured data (*.binary *.bsdf *.bin *.astm *.csv);;All files (*)</source>
+        <translation>Datos medidos (*.binary *.bsdf *.bin *.astm *.csv);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>

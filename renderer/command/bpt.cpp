@@ -210,7 +210,8 @@ void add_brdf(CLI::App& app, command::BrdfArguments& arguments, command::BrdfFit
           ->add_option(
               "INSTANCE", arguments.instance,
               "a BRDF such as \"ward sx=0.2 ks=0.4\", a file that holds one or measured data (.binary of "
-              "MERL, .bsdf of RGL), or the name of one that a scene defines, such as scene.grf:varnish")
+              "MERL, .bsdf of RGL, Zemax or LightTools, .bin of UTIA, .astm, .csv), or the name of one "
+              "that a scene defines, such as scene.grf:varnish")
           ->required();
     }
     command->add_flag("--json", arguments.json, "print one JSON object");

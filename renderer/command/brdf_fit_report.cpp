@@ -121,7 +121,7 @@ plot::Chart residuals_chart(const BrdfFits& fits, const std::vector<fit::Vec3d>&
 
 plot::Svg picture_of(const BrdfFits& fits, const Fit& fit) {
   std::vector<fit::Vec3d> values;
-  evaluate(fit.brdf, fits.observations.list, values);
+  fit::evaluate(fit.brdf, fits.observations.list, values);
   plot::Svg svg(980, 640);
   draw(lobes_chart(fits, fit), {{20, 20}, 940, 290}, svg);
   draw(residuals_chart(fits, values, "theta of the half vector in degrees",

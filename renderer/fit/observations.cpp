@@ -10,6 +10,9 @@
 #include <boost/random/sobol.hpp>
 #include <fmt/format.h>
 
+#include "grf/text_file.h"
+#include "renderer/reflectance/measurements/csv.h"
+
 namespace fit {
 namespace {
 
@@ -26,43 +29,6 @@ Vec3d turned(const Vec3d& direction, double phi) {
   const double cosine = std::cos(phi);
   const double sine = std::sin(phi);
   return {cosine * direction.x - sine * direction.y, sine * direction.x + cosine * direction.y, direction.z};
-}
-
-bool is_finite(const Vec3d& vector) {
-  return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
-}
-
-/// Returns why an observation cannot be used, or null.
-const char* fault_of(const Observation& one) {
-  if (!is_finite(one.value) || !is_finite(one.u) || !is_finite(one.v) || !std::isfinite(one.weight) ||
-      !std::isfinite(one.deviation)) {
-    return "not finite";
-  }
-  if (one.value.x < 0 || one.value.y < 0 || one.value.z < 0) return "negative";
-  if (!(one.u.z > 1e-6 && one.v.z > 1e-6)) return "of directions at or below the horizon";
-  return nullptr;
-}
-
-grf::SourceLocation location_of(const std::string& path, std::uint32_t line) {
-  if (path.empty()) return {};
-  grf::SourceLocation location = grf::whole_file(path);
-  location.line = line;
-  location.column = line > 0 ? 1 : 0;
-  return location;
-}
-
-void remove_faulty(Observations& observations, const std::string& path, grf::Diagnostics& diagnostics) {
-  for (const char* fault : {"not finite", "negative", "of directions at or below the horizon"}) {
-    const auto has_fault = [fault](const Observation& one) { return fault_of(one) == fault; };
-    const auto first = std::find_if(observations.list.begin(), observations.list.end(), has_fault);
-    if (first == observations.list.end()) continue;
-    const std::uint32_t line = first->line;
-    const std::size_t before = observations.list.size();
-    std::erase_if(observations.list, has_fault);
-    diagnostics.warning(location_of(path, line),
-                        fmt::format("{} of {} values are {}: they are left out",
-                                    before - observations.list.size(), before, fault));
-  }
 }
 
 /// Returns whether all directions `u` are the same, or the same but for the azimuth.
@@ -86,10 +52,10 @@ double mean_of(const std::vector<Observation>& list) {
 
 std::optional<Observations> usable(Observations observations, const std::string& path,
                                    grf::Diagnostics& diagnostics) {
-  remove_faulty(observations, path, diagnostics);
+  reflectance::remove_faulty(observations.list, path, diagnostics);
   const std::vector<Observation>& list = observations.list;
   const auto fail = [&](const char* why) {
-    diagnostics.error(location_of(path, 0), why);
+    diagnostics.error(reflectance::line_of(path, 0), why);
     return std::nullopt;
   };
   if (list.empty()) return fail("no value can be used: there is nothing to fit");
@@ -98,10 +64,21 @@ std::optional<Observations> usable(Observations observations, const std::string&
     return fail("all values are 0: there is nothing to fit");
   }
   if (has_one_view(list)) {
-    diagnostics.warning(location_of(path, 0),
+    diagnostics.warning(reflectance::line_of(path, 0),
                         "all values are of one view angle: how the BRDF changes with it is not determined");
   }
   observations.is_grey = std::all_of(list.begin(), list.end(), is_grey);
+  return observations;
+}
+
+std::optional<Observations> read_csv(const std::string& path, grf::Diagnostics& diagnostics) {
+  const auto bytes = grf::read_file(path, diagnostics);
+  auto list = bytes ? reflectance::parse_csv(*bytes, path, diagnostics) : std::nullopt;
+  if (!list) return std::nullopt;
+  Observations observations;
+  observations.description = fmt::format("{} lines of a CSV file", list->size());
+  observations.list = *std::move(list);
+  observations.is_isotropic = reflectance::are_isotropic(observations.list);
   return observations;
 }
 
@@ -138,10 +115,12 @@ Observations cells_of(const MerlTable& table, std::size_t count) {
 
 Observations sampled(const reflectance::Brdf& brdf, std::size_t count, grf::Diagnostics& diagnostics) {
   const auto* measured = std::get_if<reflectance::Measured>(&brdf);
-  if (measured != nullptr && measured->data) return cells_of(measured->data->table(), count);
+  if (measured != nullptr && measured->data && measured->data->merl() != nullptr)
+    return cells_of(*measured->data->merl(), count);
   if (reflectance::has_specular_part(brdf))
     diagnostics.warning({}, "the specular (delta) part of the data is left out: no value shows it");
-  const double largest = std::holds_alternative<reflectance::Rgl>(brdf) ? LargestMeasuredAngle : LargestAngle;
+  const bool is_measured = measured != nullptr || std::holds_alternative<reflectance::Rgl>(brdf);
+  const double largest = is_measured ? LargestMeasuredAngle : LargestAngle;
   Observations observations;
   observations.is_isotropic = !reflectance::is_anisotropic(brdf);
   boost::random::sobol sequence(4);

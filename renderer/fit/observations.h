@@ -11,19 +11,13 @@
 #include "grf/diagnostics.h"
 #include "grf/math.h"
 #include "renderer/reflectance/brdf.h"
+#include "renderer/reflectance/measurements/measurement.h"
 
 namespace fit {
 
 using grf::Vec3d;
 
-/// The value of a BRDF for one pair of directions.
-struct Observation {
-  Vec3d u, v;              ///< unit vectors in the local frame, towards the eye and the light
-  Vec3d value;             ///< f in 1/sr, linear RGB
-  double weight = 1;       ///< factor of the squared residual
-  double deviation = 0;    ///< standard deviation of the value in 1/sr; 0: unknown
-  std::uint32_t line = 0;  ///< of the file that it is from; 0: none
-};
+using Observation = reflectance::Measurement;
 
 /// A set of observations, and what is known of all of them.
 struct Observations {
@@ -57,10 +51,7 @@ Observations sampled(const reflectance::Brdf& brdf, std::size_t count, grf::Diag
 /// cells. Cells over 80 degrees, which were extrapolated, and cells without a value are left out.
 Observations cells_of(const reflectance::MerlTable& table, std::size_t count);
 
-/// Reads observations from a CSV file; returns nothing after an error, which names line and column. The first
-/// line names the columns: `theta_u,phi_u,theta_v,phi_v` in radians or `ux,uy,uz,vx,vy,vz`, then `r,g,b` or
-/// `value` in 1/sr, and perhaps `weight` or `deviation`; in any order. Lines that start with `#` are
-/// comments.
+/// Reads observations from a CSV file (see `reflectance::parse_csv`); returns nothing after an error.
 std::optional<Observations> read_csv(const std::string& path, grf::Diagnostics& diagnostics);
 
 }  // namespace fit

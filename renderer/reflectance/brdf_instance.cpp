@@ -1,5 +1,6 @@
 #include "renderer/reflectance/brdf_instance.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <system_error>
@@ -13,6 +14,7 @@
 #include "grf/text_file.h"
 #include "grf/visit.h"
 #include "renderer/reflectance/brdf_maker.h"
+#include "renderer/reflectance/measurements/measured_formats.h"
 
 namespace reflectance {
 namespace {
@@ -28,14 +30,23 @@ std::optional<Instance> without_definitions(std::optional<grf::BrdfModel> model)
   return Instance{*std::move(model), {}};
 }
 
-/// Returns the model of a file of measured data, by its extension; nothing for other files.
+/// Returns the model of a file of measured data; nothing for other files. Files of these endings are measured
+/// data whatever they contain.
 std::optional<grf::BrdfModel> measured_model(const std::string& path) {
   const std::string extension = grf::lower_case(std::filesystem::path(path).extension().string());
-  const bool is_merl = extension == ".binary";
-  if (!is_merl && extension != ".bsdf") return std::nullopt;
+  const bool may_be_rgl = extension == ".bsdf";
+  const auto formats = measured_formats();
+  const bool is_measured = std::any_of(formats.begin(), formats.end(), [&](const MeasuredFormat& format) {
+    return extension == '.' + std::string(format.extension);
+  });
+  if (!is_measured) return std::nullopt;
   grf::BrdfModel model;
-  model.keyword = is_merl ? "measured" : "rgl";
+  model.keyword = "measured";
   model.data_file = path;
+  if (!may_be_rgl) return model;
+  grf::Diagnostics ignored;
+  const auto bytes = grf::read_file(path, ignored);
+  if (!bytes || find_measured_format(*bytes) == nullptr) model.keyword = "rgl";
   return model;
 }
 

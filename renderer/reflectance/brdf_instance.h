@@ -21,9 +21,9 @@ std::optional<Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& dia
 std::optional<Scheme> make_scheme(const grf::PdfModel& model, const Brdf& brdf,
                                   const std::string& brdf_keyword, grf::Diagnostics& diagnostics);
 
-/// Reads a BRDF from a text such as `ward sx=0.2`, from the file of that name (text, or measured data of
-/// MERL, .binary, or RGL, .bsdf), or, if the text is `scene.grf:NAME`, from the first definition of that name
-/// in a scene; with its own sampler. Returns nothing after an error.
+/// Reads a BRDF from a text such as `ward sx=0.2`, from the file of that name (text, or measured data, of RGL
+/// or with an ending of `measured_formats`), or, if the text is `scene.grf:NAME`, from the first definition
+/// of that name in a scene; with its own sampler. Returns nothing after an error.
 std::optional<Reflector> read_instance(const std::string& instance, grf::Diagnostics& diagnostics);
 
 /// A BRDF with a sampling scheme.

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include "grf/text_file.h"
 
 namespace reflectance {
 namespace {
@@ -16,25 +21,43 @@ double edge(std::size_t ring) {
   return RightAngle * fraction * fraction;
 }
 
-/// Returns the mean of the table at an angle of h, over directions not too far from it.
-float mean_of_ring(const MerlTable& table, std::size_t ring) {
+/// Returns directions turned about the normal.
+Imath::V3d turned(const Imath::V3d& d, double phi) {
+  return {std::cos(phi) * d.x - std::sin(phi) * d.y, std::sin(phi) * d.x + std::cos(phi) * d.y, d.z};
+}
+
+bool is_above(const DirectionPair& pair) { return pair.u.z > 1e-6 && pair.v.z > 1e-6; }
+
+}  // namespace
+
+// The mean over directions not too far from h, and over all azimuths of h if they differ.
+float MeasuredData::mean_of_ring(std::size_t ring) const {
   constexpr std::size_t Farthest = 45;  // degrees
+  constexpr int Azimuths = 8;
+  const int turns = is_anisotropic() ? Azimuths : 1;
   float sum = 0;
   int count = 0;
   for (std::size_t difference = 0; difference < Farthest; difference += 3) {
     for (std::size_t azimuth = 0; azimuth < MerlTable::AzimuthCount; azimuth += 20) {
-      sum += mean(table.linear(MerlTable::angles_of(ring, difference, azimuth)));
-      ++count;
+      const HalfAngles angles = MerlTable::angles_of(ring, difference, azimuth);
+      const DirectionPair pair = directions_of(angles);
+      if (merl_ == nullptr && !is_above(pair)) continue;
+      for (int turn = 0; turn < turns; ++turn) {
+        const double phi = 2 * double(Pi) * turn / turns;
+        sum += mean(merl_ != nullptr ? merl_->linear(angles)
+                                     : value(turned(pair.u, phi), turned(pair.v, phi), true));
+        ++count;
+      }
     }
   }
-  return sum / static_cast<float>(count);
+  return count > 0 ? sum / static_cast<float>(count) : 0;
 }
 
-}  // namespace
-
-MeasuredData::MeasuredData(std::shared_ptr<const MerlTable> table) : table_(std::move(table)) {
+MeasuredData::MeasuredData(MeasuredTable table) : table_(std::move(table)) {
+  const auto* merl = std::get_if<std::shared_ptr<const MerlTable>>(&table_);
+  if (merl != nullptr) merl_ = merl->get();
   std::array<float, MerlTable::HalfCount> values = {};
-  for (std::size_t ring = 0; ring < values.size(); ++ring) values[ring] = mean_of_ring(*table_, ring);
+  for (std::size_t ring = 0; ring < values.size(); ++ring) values[ring] = mean_of_ring(ring);
   const float diffuse = *std::min_element(values.begin(), values.begin() + DiffuseRings);
   diffuse_albedo_ = std::min(1.0F, diffuse * Pi);
   double sum = 0;
@@ -75,10 +98,71 @@ float MeasuredData::lobe_pdf(const Vec3f& u, const Vec3f& v) const {
   return (cumulative_[ring + 1] - cumulative_[ring]) / (solid_angle * 4 * cosine_of_half(u, v));
 }
 
+Rgb MeasuredData::value(const Imath::V3d& u, const Imath::V3d& v, bool interpolates) const {
+  const Rgb found = std::visit(
+      [&]<class Table>(const std::shared_ptr<const Table>& table) {
+        if constexpr (std::is_same_v<Table, MerlTable>) {
+          const HalfAngles angles = half_angles(u, v);
+          return interpolates ? table->linear(angles) : table->nearest(angles);
+        } else {
+          return interpolates ? table->linear(u, v) : table->nearest(u, v);
+        }
+      },
+      table_);
+  return {std::max(found.x, 0.0F), std::max(found.y, 0.0F), std::max(found.z, 0.0F)};
+}
+
+DataState MeasuredData::state(const Imath::V3d& u, const Imath::V3d& v) const {
+  return std::visit(
+      [&]<class Table>(const std::shared_ptr<const Table>& table) {
+        if constexpr (std::is_same_v<Table, AngleGrid>) {
+          const Rgb value = table->linear(u, v);
+          return std::min({value.x, value.y, value.z}) < 0 ? DataState::Negative : DataState::Sound;
+        } else if constexpr (std::is_same_v<Table, MerlTable>) {
+          return table->is_missing(half_angles(u, v)) ? DataState::Missing : DataState::Sound;
+        } else {
+          return table->is_missing(u, v) ? DataState::Missing : DataState::Sound;
+        }
+      },
+      table_);
+}
+
+bool MeasuredData::is_anisotropic() const {
+  const auto* grid = std::get_if<std::shared_ptr<const AngleGrid>>(&table_);
+  const auto* scattered = std::get_if<std::shared_ptr<const ScatteredTable>>(&table_);
+  return (grid != nullptr && (*grid)->is_anisotropic()) ||
+         (scattered != nullptr && (*scattered)->is_anisotropic());
+}
+
+namespace {
+
+/// Reports that no format of measured data has a file's content.
+void report_unknown_format(const std::string& path, std::string_view bytes, grf::Diagnostics& diagnostics,
+                           const grf::SourceLocation& asked_for_at) {
+  std::string names;
+  for (const MeasuredFormat& format : measured_formats())
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", format.name);
+  diagnostics.error(
+      asked_for_at.file ? asked_for_at : grf::whole_file(path),
+      sniff_rgl(bytes)
+          ? fmt::format("'{}' is a file of the RGL data base, which the BRDF 'rgl' reads", path)
+          : fmt::format("'{}' is no file of measured data; the formats that are read are {}", path, names));
+}
+
+}  // namespace
+
 std::shared_ptr<const MeasuredData> Measured::load(const std::string& path, grf::Diagnostics& diagnostics,
                                                    const grf::SourceLocation& asked_for_at) {
-  auto table = MerlTable::load(path, diagnostics, asked_for_at);
-  return table ? std::make_shared<const MeasuredData>(std::move(table)) : nullptr;
+  const auto bytes = grf::read_file(path, diagnostics, asked_for_at);
+  if (!bytes) return nullptr;
+  const MeasuredFormat* format = find_measured_format(*bytes);
+  if (format == nullptr && path.ends_with(".binary")) {
+    MerlTable::parse(*bytes, path, diagnostics, asked_for_at);
+    return nullptr;
+  }
+  if (format == nullptr) report_unknown_format(path, *bytes, diagnostics, asked_for_at);
+  auto table = format != nullptr ? format->read(*bytes, path, asked_for_at, diagnostics) : std::nullopt;
+  return table ? std::make_shared<const MeasuredData>(*std::move(table)) : nullptr;
 }
 
 // The probability has a minimum, so that light outside the lobe's rings never has large weights.

@@ -80,25 +80,34 @@ HalfAngles MerlTable::angles_of(std::size_t half, std::size_t difference, std::s
 std::shared_ptr<const MerlTable> MerlTable::load(const std::string& path, grf::Diagnostics& diagnostics,
                                                  const grf::SourceLocation& asked_for_at) {
   const auto bytes = grf::read_file(path, diagnostics, asked_for_at);
-  if (!bytes) return nullptr;
+  return bytes ? parse(*bytes, path, diagnostics, asked_for_at) : nullptr;
+}
+
+bool MerlTable::sniff(std::string_view bytes) {
+  return bytes.size() >= HeaderSize && std::memcmp(bytes.data(), Dimensions.data(), HeaderSize) == 0;
+}
+
+std::shared_ptr<const MerlTable> MerlTable::parse(std::string_view bytes, const std::string& path,
+                                                  grf::Diagnostics& diagnostics,
+                                                  const grf::SourceLocation& asked_for_at) {
   const auto fail = [&](const std::string& what) {
     diagnostics.error(asked_for_at.file ? asked_for_at : grf::whole_file(path),
                       fmt::format("'{}' is not a MERL BRDF file: {}", path, what));
     return nullptr;
   };
-  if (bytes->size() < HeaderSize)
-    return fail(grf::counted(bytes->size(), "byte is", "bytes are") + " too few for its header");
+  if (bytes.size() < HeaderSize)
+    return fail(grf::counted(bytes.size(), "byte is", "bytes are") + " too few for its header");
   std::array<std::int32_t, 3> dimensions = {};
-  std::memcpy(dimensions.data(), bytes->data(), HeaderSize);
+  std::memcpy(dimensions.data(), bytes.data(), HeaderSize);
   if (dimensions != Dimensions) {
     return fail(fmt::format("its dimensions are {} x {} x {}, expected 90 x 90 x 180", dimensions[0],
                             dimensions[1], dimensions[2]));
   }
-  if (bytes->size() != FileSize)
-    return fail(fmt::format("it has {} bytes, expected {}", bytes->size(), FileSize));
+  if (bytes.size() != FileSize)
+    return fail(fmt::format("it has {} bytes, expected {}", bytes.size(), FileSize));
   std::shared_ptr<MerlTable> table(new MerlTable());
   table->cells_.resize(CellCount);
-  const char* position = bytes->data() + HeaderSize;
+  const char* position = bytes.data() + HeaderSize;
   for (int channel = 0; channel < 3; ++channel) {
     const double scale = Scales[static_cast<std::size_t>(channel)];
     for (Rgb& cell : table->cells_) {

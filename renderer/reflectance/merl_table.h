@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "grf/diagnostics.h"
@@ -66,6 +67,14 @@ class MerlTable {
   /// Cells that are negative or not finite are invalid.
   static std::shared_ptr<const MerlTable> load(const std::string& path, grf::Diagnostics& diagnostics,
                                                const grf::SourceLocation& asked_for_at = {});
+
+  /// Returns whether bytes start with the dimensions of such a table.
+  static bool sniff(std::string_view bytes);
+
+  /// Reads the table from the bytes of a file at `path`, or returns nothing after an error there.
+  static std::shared_ptr<const MerlTable> parse(std::string_view bytes, const std::string& path,
+                                                grf::Diagnostics& diagnostics,
+                                                const grf::SourceLocation& asked_for_at = {});
 
   /// Tabulates a function at the cells' centres; cells with a direction below the horizon are invalid.
   explicit MerlTable(const std::function<Rgb(const Vec3f& u, const Vec3f& v)>& brdf);

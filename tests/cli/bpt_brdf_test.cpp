@@ -300,6 +300,23 @@ TEST_F(BptBrdf, ExportsATableThatIsReadAsMeasuredData) {
   EXPECT_NEAR(albedo(measured, u)[1], albedo(blinn, u)[1], 2e-3);
 }
 
+TEST_F(BptBrdf, ExportsOtherMeasuredFilesToMerlAndRgl) {
+  const std::string zemax = GRANADA_SOURCE_DIR "/tests/reflectance/measured/zemax.bsdf";
+  const std::string file = folder_.path("zemax.bsdf");
+  const nlohmann::json result = json({"export", zemax, "-o", file, "--resolution", "1"});
+  // Other than those of Zemax, data of ASTM are as reciprocal as the tables of MERL are.
+  const std::string astm = GRANADA_SOURCE_DIR "/tests/reflectance/measured/degrees.astm";
+  const std::string table = folder_.path("astm.binary");
+  out({"export", astm, "-o", table});
+  for (const char* u : {"0", "0.5", "1"}) {
+    EXPECT_NEAR(albedo(file, u)[0], albedo(zemax, u)[0], 3 * result["relative_error"].get<double>()) << u;
+    EXPECT_NEAR(albedo(table, u)[0], albedo(astm, u)[0], 1e-3) << u;
+  }
+  const std::string scattered = GRANADA_SOURCE_DIR "/tests/reflectance/measured/scattered.csv";
+  expect_failure({"export", scattered, "-o", table}, 1,
+                 "it is anisotropic, and the MERL format holds isotropic");
+}
+
 TEST_F(BptBrdf, ExportsAFileOfTheRglDataBase) {
   const std::string file = folder_.path("ward.bsdf");
   const std::string ward = "ward sx=0.2 sy=0.4 ks=0.4 kd=(0.3, 0.2, 0.1)";

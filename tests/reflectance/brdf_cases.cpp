@@ -10,6 +10,7 @@
 
 #include "renderer/reflectance/brdf_maker.h"
 #include "renderer/reflectance/layers.h"
+#include "renderer/reflectance/measurements/utia.h"
 #include "tests/reflectance/rgl_cases.h"
 
 namespace test {
@@ -80,6 +81,37 @@ Brdf table_of(const std::string& text) {
   return measured;
 }
 
+/// Returns a BRDF as it is read from a file of the UTIA data base, whose numbers are written in its order.
+Brdf utia_of(const std::string& text) {
+  const Brdf brdf = simple_brdf(text);
+  std::string bytes;
+  const auto direction_of = [](int index) {
+    const auto theta = static_cast<float>(index / 48) * 15;
+    return direction(theta, static_cast<float>(index % 48) * 7.5F);
+  };
+  for (int channel = 0; channel < 3; ++channel) {
+    for (int light = 0; light < 288; ++light) {
+      for (int view = 0; view < 288; ++view) {
+        const double value(evaluate(brdf, direction_of(view), direction_of(light))[channel]);
+        bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+      }
+    }
+  }
+  grf::Diagnostics diagnostics;
+  reflectance::Measured measured;
+  measured.data = std::make_shared<const reflectance::MeasuredData>(
+      reflectance::parse_utia(bytes, "utia.bin", diagnostics));
+  return measured;
+}
+
+Brdf measured_of(const std::string& name) {
+  grf::Diagnostics diagnostics;
+  reflectance::Measured measured;
+  measured.data = reflectance::Measured::load(measured_path(name), diagnostics, {});
+  if (!measured.data) throw std::runtime_error(diagnostics.to_text());
+  return measured;
+}
+
 Brdf rgl_of(const std::string& name) {
   grf::Diagnostics diagnostics;
   reflectance::Rgl rgl;
@@ -146,6 +178,10 @@ class PairGenerator {
 Brdf brdf_of(const std::string& text) {
   constexpr std::string_view Table = "table of ";
   if (text.starts_with(Table)) return table_of(text.substr(Table.size()));
+  constexpr std::string_view Utia = "utia of ";
+  if (text.starts_with(Utia)) return utia_of(text.substr(Utia.size()));
+  constexpr std::string_view File = "measured ";
+  if (text.starts_with(File)) return measured_of(text.substr(File.size()));
   constexpr std::string_view Over = " over ";
   if (const auto over = text.find(Over); over != std::string::npos) {
     return layered_of(text.substr(0, over), brdf_of(text.substr(over + Over.size())));

@@ -14,8 +14,10 @@ using reflectance::Brdf;
 using reflectance::Vec3f;
 
 /// Makes a BRDF from a text such as `ward sx=0.1`; `0.5 ward sx=0.1 + 0.2 specular` is a weighted sum, and
-/// `table of ward sx=0.1` a measured table of its values, `rgl matte` the file of that name in
-/// tests/reflectance/rgl, and `coat alpha=0.1 over diffuse` or `phong over diffuse` a BRDF below a layer.
+/// `table of ward sx=0.1` a measured table of its values, `utia of ward sx=0.1` those of a file of the UTIA
+/// data base, `rgl matte` the file of that name in tests/reflectance/rgl, `measured zemax.bsdf` that in
+/// tests/reflectance/measured, and `coat alpha=0.1 over diffuse` or `phong over diffuse` a BRDF below a
+/// layer.
 Brdf brdf_of(const std::string& text);
 
 /// Reads a scene of definitions and a mesh with this BRDF. `last_end` ends what the definitions begin.
@@ -153,6 +155,11 @@ inline const std::vector<std::string>& stepped_cases() {
       "table of lewis n=400 ks=0.7 kd=(0.1, 0.2, 0.3)",
       "rgl copper",
       "rgl brushed_half",
+      "utia of ward sx=0.4 sy=0.7 ks=0.3 kd=0.3",
+      "measured zemax.bsdf",
+      "measured lighttools.bsdf",
+      "measured degrees.astm",
+      "measured scattered.csv",
   };
   return cases;
 }

@@ -115,6 +115,7 @@ const std::vector<Promise>& promises() {
         {"gltf metallic=1 anisotropy=0.5"},
         {"openpbr metalness=1 anisotropy=0.7"},
         {"rgl brushed_half"},
+        {"utia of ward sx=0.4 sy=0.7"},
         {"0.5 diffuse + 0.5 ward sx=0.2 sy=0.4"},
         {"coat alpha=0.3 over ward sx=0.2 sy=0.4"},
         {"ward sx=0.2 sy=0.4 over diffuse"}},
@@ -127,6 +128,7 @@ const std::vector<Promise>& promises() {
         {"gltf baseColor=0 specular=0 sheenColor=1"},
         {"openpbr baseColor=0 specularWeight=0 fuzzWeight=1 fuzzRoughness=0.3"},
         {"rgl matte"},
+        {"measured zemax.bsdf"},
         {"0.1 diffuse + 0.5 strauss s=0.6 m=0 ks=1 kd=0"},
         {"coat alpha=0.0001 over strauss s=0.6 m=0 ks=1 kd=0"},
         {"sheen over diffuse kd=0"}},
@@ -175,7 +177,7 @@ const std::vector<Promise>& promises() {
 class Promises : public testing::TestWithParam<Promise> {};
 
 std::string keyword_of(const std::string& brdf) {
-  if (brdf.starts_with("table")) return "measured";
+  if (brdf.starts_with("table") || brdf.starts_with("utia")) return "measured";
   if (brdf.find(" over ") != std::string::npos && !brdf.starts_with("coat")) return "layer";
   return brdf.find(" + ") != std::string::npos ? "combine" : brdf.substr(0, brdf.find(' '));
 }

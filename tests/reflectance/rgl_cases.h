@@ -1,4 +1,5 @@
-// The files of tests/reflectance/rgl, which rgl_files.py makes of analytic BRDFs.
+// Files of measured BRDFs that scripts make: those of tests/reflectance/rgl by rgl_files.py, of analytic
+// BRDFs.
 #pragma once
 
 #include <string>
@@ -9,6 +10,11 @@ namespace test {
 
 inline std::string rgl_path(const std::string& name) {
   return GRANADA_SOURCE_DIR "/tests/reflectance/rgl/" + name + ".bsdf";
+}
+
+/// The files of tests/reflectance/measured, which measured_files.py makes.
+inline std::string measured_path(const std::string& name) {
+  return GRANADA_SOURCE_DIR "/tests/reflectance/measured/" + name;
 }
 
 }  // namespace test

@@ -1,17 +1,20 @@
+#include "renderer/reflectance/measurements/csv.h"
+
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <string_view>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "grf/text_file.h"
-#include "renderer/fit/observations.h"
 
-namespace fit {
+namespace reflectance {
 namespace {
+
+using Imath::V3d;
 
 /// A cell of a CSV line and its column in characters from 1.
 struct Cell {
@@ -19,7 +22,7 @@ struct Cell {
   std::uint32_t column = 1;
 };
 
-std::vector<Cell> split(std::string_view line) {
+std::vector<Cell> split_cells(std::string_view line) {
   std::vector<Cell> cells;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find(',', begin), line.size());
@@ -58,6 +61,45 @@ enum Column {
 constexpr std::array<std::string_view, Columns> Names = {
     "theta_u", "phi_u", "theta_v", "phi_v", "ux", "uy",    "uz",     "vx",
     "vy",      "vz",    "r",       "g",     "b",  "value", "weight", "deviation"};
+constexpr std::string_view Degrees = "_deg";
+
+/// A column by its name, and whether it has degrees.
+struct NamedColumn {
+  Column column = Columns;  ///< `Columns` if it is unknown
+  bool in_degrees = false;
+};
+
+NamedColumn column_of(std::string_view name) {
+  NamedColumn named;
+  named.in_degrees = name.ends_with(Degrees);
+  if (named.in_degrees) name.remove_suffix(Degrees.size());
+  constexpr std::array<std::pair<std::string_view, Column>, 4> Others = {
+      {{"theta_o", ThetaU}, {"phi_o", PhiU}, {"theta_i", ThetaV}, {"phi_i", PhiV}}};
+  for (const auto& [other, column] : Others) {
+    if (other == name) named.column = column;
+  }
+  for (std::size_t i = 0; i < Columns; ++i) {
+    if (Names[i] == name) named.column = static_cast<Column>(i);
+  }
+  if (named.in_degrees && named.column > PhiV) named.column = Columns;
+  return named;
+}
+
+/// Takes the next line off a text.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
+bool says_nothing(std::string_view line) {
+  return line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string_view::npos;
+}
+
+void skip_byte_order_mark(std::string_view& text) {
+  if (text.starts_with(grf::ByteOrderMark)) text.remove_prefix(grf::ByteOrderMark.size());
+}
 
 /// Reads the lines of a CSV file one after the other.
 class CsvReader {
@@ -65,15 +107,13 @@ class CsvReader {
   CsvReader(const std::string& path, grf::Diagnostics& diagnostics)
       : file_(grf::whole_file(path)), diagnostics_(diagnostics) {}
 
-  std::optional<Observations> read(std::string_view text) {
-    if (text.starts_with(grf::ByteOrderMark)) text.remove_prefix(grf::ByteOrderMark.size());
+  std::optional<std::vector<Measurement>> read(std::string_view text) {
+    skip_byte_order_mark(text);
     while (!text.empty()) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      const std::string_view line = text.substr(0, end);
-      text.remove_prefix(std::min(end + 1, text.size()));
+      const std::string_view line = take_line(text);
       ++line_;
-      if (line.starts_with('#') || line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-      const std::vector<Cell> cells = split(line);
+      if (says_nothing(line)) continue;
+      const std::vector<Cell> cells = split_cells(line);
       const bool was_read = columns_.empty() ? read_names(cells) : read_values(cells);
       if (!was_read) return std::nullopt;
     }
@@ -82,14 +122,19 @@ class CsvReader {
       fail(0, fmt::format("the file is empty; its first line names the columns: {}", Hint));
       return std::nullopt;
     }
-    observations_.description = fmt::format("{} lines of a CSV file", observations_.list.size());
-    return std::move(observations_);
+    return std::move(list_);
   }
 
  private:
   static constexpr std::string_view Hint =
-      "theta_u,phi_u,theta_v,phi_v in radians or ux,uy,uz,vx,vy,vz, then r,g,b or value, and perhaps weight "
-      "or deviation";
+      "theta_u,phi_u,theta_v,phi_v in radians (theta_u_deg in degrees) or ux,uy,uz,vx,vy,vz, then r,g,b or "
+      "value, and perhaps weight or deviation";
+
+  static std::array<double, Columns> all_radians() {
+    std::array<double, Columns> units = {};
+    units.fill(1);
+    return units;
+  }
 
   bool fail(std::uint32_t column, const std::string& message) {
     grf::SourceLocation location = file_;
@@ -104,13 +149,13 @@ class CsvReader {
   bool read_names(const std::vector<Cell>& cells) {
     at_.fill(-1);
     for (const Cell& cell : cells) {
-      std::size_t known = 0;
-      while (known < Columns && Names[known] != cell.text) ++known;
+      const auto [known, in_degrees] = column_of(cell.text);
       if (known == Columns)
         return fail(cell.column, fmt::format("unknown column '{}'; columns are {}", cell.text, Hint));
       if (at_[known] >= 0) return fail(cell.column, fmt::format("the column '{}' is repeated", cell.text));
       at_[known] = static_cast<int>(columns_.size());
-      columns_.push_back(static_cast<Column>(known));
+      columns_.push_back(known);
+      if (in_degrees) unit_[known] = std::numbers::pi / 180;
     }
     const auto has_all = [&](Column first, Column last) {
       int found = 0;
@@ -160,39 +205,27 @@ class CsvReader {
   }
 
   bool add(const std::array<double, Columns>& values, const std::vector<Cell>& cells) {
-    Observation one;
+    Measurement one;
     if (has(ThetaU)) {
-      const auto direction = [](double theta, double phi) {
-        return Vec3d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
-      };
-      one.u = direction(values[ThetaU], values[PhiU]);
-      one.v = direction(values[ThetaV], values[PhiV]);
+      const auto angle = [&](Column column) { return values[column] * unit_[column]; };
+      one.u = direction_at(angle(ThetaU), angle(PhiU));
+      one.v = direction_at(angle(ThetaV), angle(PhiV));
     } else {
-      one.u = Vec3d(values[Ux], values[Uy], values[Uz]);
-      one.v = Vec3d(values[Vx], values[Vy], values[Vz]);
+      one.u = V3d(values[Ux], values[Uy], values[Uz]);
+      one.v = V3d(values[Vx], values[Vy], values[Vz]);
       for (const auto& [vector, column] : {std::pair(one.u, Ux), std::pair(one.v, Vx)}) {
-        if (vector != Vec3d(0)) continue;
+        if (vector != V3d(0)) continue;
         return fail(cells[static_cast<std::size_t>(at_[column])].column, "a direction has no length");
       }
       one.u.normalize();
       one.v.normalize();
     }
-    one.value = has(Value) ? Vec3d(values[Value]) : Vec3d(values[R], values[G], values[B]);
+    one.value = has(Value) ? V3d(values[Value]) : V3d(values[R], values[G], values[B]);
     if (has(Weight)) one.weight = values[Weight];
     one.deviation = values[Deviation];
     one.line = line_;
-    note_azimuth(one.u);
-    observations_.list.push_back(one);
+    list_.push_back(one);
     return true;
-  }
-
-  // Views at different azimuths tell an anisotropic BRDF from an isotropic one.
-  void note_azimuth(const Vec3d& u) {
-    constexpr double NearNormal = 1e-3;
-    if (std::hypot(u.x, u.y) < NearNormal) return;
-    const double azimuth = std::atan2(u.y, u.x);
-    if (!azimuth_) azimuth_ = azimuth;
-    if (std::abs(std::sin(azimuth - *azimuth_)) > NearNormal) observations_.is_isotropic = false;
   }
 
   grf::SourceLocation file_;
@@ -200,16 +233,28 @@ class CsvReader {
   std::uint32_t line_ = 0;
   std::vector<Column> columns_;       ///< in the order of the file
   std::array<int, Columns> at_ = {};  ///< the place of each column in the file, or -1
-  std::optional<double> azimuth_;     ///< of the first view that is not along the normal
-  Observations observations_;
+  std::array<double, Columns> unit_ = all_radians();
+  std::vector<Measurement> list_;
 };
 
 }  // namespace
 
-std::optional<Observations> read_csv(const std::string& path, grf::Diagnostics& diagnostics) {
-  const auto bytes = grf::read_file(path, diagnostics);
-  if (!bytes) return std::nullopt;
-  return CsvReader(path, diagnostics).read(*bytes);
+bool sniff_csv(std::string_view text) {
+  skip_byte_order_mark(text);
+  while (!text.empty()) {
+    const std::string_view line = take_line(text);
+    if (says_nothing(line)) continue;
+    const std::vector<Cell> cells = split_cells(line.substr(0, 1000));
+    return cells.size() > 4 && std::all_of(cells.begin(), cells.end(), [](const Cell& cell) {
+             return column_of(cell.text).column != Columns;
+           });
+  }
+  return false;
 }
 
-}  // namespace fit
+std::optional<std::vector<Measurement>> parse_csv(std::string_view text, const std::string& path,
+                                                  grf::Diagnostics& diagnostics) {
+  return CsvReader(path, diagnostics).read(text);
+}
+
+}  // namespace reflectance
