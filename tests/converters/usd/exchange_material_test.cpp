@@ -101,6 +101,29 @@ TEST(ExchangeMaterials, HaveTheOpacityOfTheTexture) {
   EXPECT_EQ(texture.string("inputs:file"), "./wood.png");
 }
 
+TEST(ExchangeMaterials, HaveTheFactorsOfTheTexture) {
+  const ExchangedScene scene =
+      scene_with("brdf diffuse kd=(0.25, 0.5, 0.75) texture \"wood.png\" opacity blend 0.5");
+  const test::UsdaPrim& texture = *scene.usd().find("/World/Looks/diffuse/PreviewTexture");
+  EXPECT_THAT(texture.attribute("inputs:scale").numbers, ElementsAre(0.25, 0.5, 0.75, 0.5));
+  EXPECT_EQ(texture.string("inputs:wrapT"), "repeat");
+  EXPECT_THAT(scene.usd_text(), HasSubstr("@./wood.png@ ( colorSpace = \"srgb_texture\" )"));
+  EXPECT_THAT(scene.usd_text(), testing::Not(HasSubstr("lin_rec709")));
+}
+
+// The reflectance at normal incidence of an index of 1.5 is 0.04.
+TEST(ExchangeMaterials, OfPreviewsHaveTheReflectanceOfTheirIndex) {
+  const ExchangedScene plastic = scene_with("brdf gltf baseColor=0.5 specular=0.5 ior=1.5 roughness=0.3");
+  const test::UsdaPrim& dielectric = *plastic.usd().find("/World/Looks/gltf/PreviewSurface");
+  EXPECT_EQ(dielectric.number("inputs:useSpecularWorkflow"), 1);
+  EXPECT_NEAR(dielectric.number("inputs:specularColor"), 0.02, 1e-6);
+  EXPECT_NEAR(dielectric.number("inputs:roughness"), 0.3, 1e-6);
+  const ExchangedScene alloy = scene_with("brdf gltf baseColor=0.5 metallic=0.75 roughness=0.25");
+  const test::UsdaPrim& metal = *alloy.usd().find("/World/Looks/gltf/PreviewSurface");
+  EXPECT_EQ(metal.number("inputs:metallic"), 0.75);
+  EXPECT_EQ(metal.number("inputs:roughness"), 0.25);
+}
+
 TEST(ExchangeMaterials, OfPreviewsOfCoatsHaveTheirStrength) {
   const ExchangedScene scene = scene_with("brdf gltf baseColor=0.5 clearcoat=0.5 coatRoughness=0.25 ior=2");
   const test::UsdaPrim& preview = *scene.usd().find("/World/Looks/gltf/PreviewSurface");

@@ -75,6 +75,35 @@ TEST(UsdMeshes, HaveAttributesOfVerticesAndFlatFacesWhereANormalIsAbsent) {
       "/World/Looks/diffuse/PreviewColor.outputs:result");
 }
 
+TEST(UsdMeshes, HaveTheCornersOfTheirFacesInOrder) {
+  const ExchangedScene scene(
+      "begin mesh begin vertexs (0,0,0) (2,0,0) (2,3,0) (0,3,0) (0,0,5) end begin faces (0,1,2,3) (0,1,4) "
+      "end end");
+  const test::UsdaPrim& mesh = scene.usd().root.child("mesh");
+  EXPECT_THAT(mesh.attribute("faceVertexCounts").numbers, ElementsAre(4, 3));
+  EXPECT_THAT(mesh.attribute("faceVertexIndices").numbers, ElementsAre(0, 1, 2, 3, 0, 1, 4));
+  EXPECT_THAT(mesh.attribute("extent").numbers, ElementsAre(0, 0, 0, 2, 3, 5));
+  EXPECT_EQ(mesh.string("orientation"), "rightHanded");
+  EXPECT_EQ(mesh.string("subsetFamily:materialBind:familyType"), "partition") << "each face is in one subset";
+  EXPECT_EQ(mesh.attribute("primvars:displayColor").interpolation, "uniform") << "one per face";
+}
+
+TEST(UsdMeshes, HaveNormalsOfUnitLength) {
+  const ExchangedScene scene(
+      "begin mesh begin vertexs normal (0, 0, 2) (0,0,0) normal (0, 3, 4) (1,0,0) normal (0.5, 0, 0) (1,1,0) "
+      "end "
+      "begin faces (0,1,2) end end");
+  const test::UsdaValue& normals = scene.usd().root.child("mesh").attribute("normals");
+  EXPECT_EQ(normals.interpolation, "vertex");
+  const std::vector<double> expected = {0, 0, 1, 0, 0.6, 0.8, 1, 0, 0};
+  EXPECT_THAT(normals.numbers, testing::Pointwise(testing::DoubleNear(1e-6), expected));
+}
+
+TEST(UsdStages, AreInMetresWithTheYAxisUp) {
+  const ExchangedScene scene(exchange_cube({}, {}));
+  EXPECT_THAT(scene.usd_text(), HasSubstr("\n    metersPerUnit = 1\n    upAxis = \"Y\"\n"));
+}
+
 TEST(UsdInstances, ReferToAPrototypeUnderTheTransforms) {
   const ExchangedScene scene("def chair = " + exchange_cube("brdf diffuse kd=0.25", {}) +
                              " begin transform scale (-1, 2, 3) translation (10, 0, 0) begin use chair "
@@ -122,6 +151,7 @@ TEST(UsdLamps, HaveTheRadianceOfTheirFaces) {
   Vec3d corner;
   light.to_parent().multVecMatrix(Vec3d(-0.5, 1, 0), corner);
   EXPECT_NEAR(std::abs(corner.z - 1), 1, 1e-9);
+  EXPECT_NEAR(light.to_parent().determinant(), 1, 1e-9) << "a rotation, and no reflection";
   const auto emission = [&](const std::string& material) {
     return scene.usd()
         .find("/World/Looks/" + material + "/PreviewSurface")
@@ -150,9 +180,37 @@ TEST(UsdCameras, HaveTheFieldOfViewLensAndPlace) {
   EXPECT_NEAR(camera.number("focalLength") / 10 / camera.number("fStop"), 0.1, 1e-6);
   EXPECT_LT((Vec3d(0, 0, -9) * camera.to_parent() - Vec3d(1, 2, 1)).length(), 1e-9);
   EXPECT_LT((Vec3d(1, 1, 0) * camera.to_parent() - Vec3d(2, 3, 10)).length(), 1e-9);
+  // The cube is 9 to 11 away.
+  EXPECT_LT(camera.attribute("clippingRange").numbers.at(0), 0.1);
+  EXPECT_GT(camera.attribute("clippingRange").numbers.at(1), 15);
   const test::UsdaPrim& settings = scene.usd().root.child("Render");
   EXPECT_THAT(settings.attribute("resolution").numbers, ElementsAre(80, 60));
   EXPECT_EQ(settings.string("camera"), "/World/Camera");
+}
+
+TEST(UsdCameras, AreAllThatHaveNames) {
+  const ExchangedScene scene(exchange_cube({}, {}),
+                             "BPT_Scene scene.grf\nBPT_Cameras side 5 0 0 0 0 0 0 1 0 90 0 0\n"
+                             "BPT_Cameras top 0 7 0 0 0 0 0 0 -1 30 0 0\nBPT_Camera top\n");
+  const auto place = [](const test::UsdaPrim& camera) { return Vec3d(0) * camera.to_parent(); };
+  const auto angle = [](const test::UsdaPrim& camera) {
+    return 360 / std::numbers::pi *
+           std::atan(camera.number("verticalAperture") / 2 / camera.number("focalLength"));
+  };
+  const test::UsdaPrim& all = scene.usd().root.child("Cameras");
+  EXPECT_LT((place(all.child("side")) - Vec3d(5, 0, 0)).length(), 1e-6);
+  EXPECT_NEAR(angle(all.child("side")), 90, 1e-4);
+  EXPECT_LT((place(all.child("top")) - Vec3d(0, 7, 0)).length(), 1e-6);
+  EXPECT_NEAR(angle(all.child("top")), 30, 1e-4);
+  EXPECT_LT((place(scene.usd().root.child("Camera")) - Vec3d(0, 7, 0)).length(), 1e-6)
+      << "the one that renders";
+}
+
+TEST(UsdSurroundings, AreTheBackgroundWithoutAnImage) {
+  const ExchangedScene scene(exchange_cube({}, {}), "BPT_Scene scene.grf\nBPT_Background 0.25 0.5 1\n");
+  const test::UsdaPrim& dome = scene.usd().root.child("Surroundings");
+  EXPECT_THAT(dome.attribute("inputs:color").numbers, ElementsAre(0.25, 0.5, 1));
+  EXPECT_EQ(dome.number("inputs:intensity"), 1);
 }
 
 TEST(UsdSurroundings, AreADomeThatIsTurned) {
