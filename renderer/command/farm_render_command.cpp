@@ -105,8 +105,12 @@ bool write_images(const farm::Coordinator& coordinator, const Submission& submis
   const job::RenderJob& job = *submission.opened->job;
   const transport::Render render(job.scene, job.settings);
   const ImageDescription description = description_of(render, job.scene, submission.options);
-  return write_merged(coordinator.merge(), job.settings.bias, description, arguments.outputs,
-                      arguments.access.json, diagnostics);
+  const bool has_lines = progress_style_of(arguments.progress) == ProgressStyle::Json;
+  const SummaryStyle style = !arguments.access.json ? SummaryStyle::Text
+                             : has_lines            ? SummaryStyle::JsonLine
+                                                    : SummaryStyle::Json;
+  return write_merged(coordinator.merge(), job.settings.bias, description, arguments.outputs, style,
+                      diagnostics);
 }
 
 }  // namespace

@@ -47,7 +47,8 @@ bool write_images(const PartMerge& merge, const MergeArguments& arguments, Diagn
   const auto description =
       image_description_of(sum.description, static_cast<std::size_t>(sum.width) * sum.height);
   if (description)
-    return write_merged(merge, {}, *description, arguments.outputs, arguments.json, diagnostics);
+    return write_merged(merge, {}, *description, arguments.outputs,
+                        arguments.json ? SummaryStyle::Json : SummaryStyle::Text, diagnostics);
   diagnostics.error(grf::whole_file(arguments.parts.front()),
                     "the part with the first sample does not say what image it is of");
   return false;
@@ -67,8 +68,8 @@ bool write_sum(const PartMerge& merge, const MergeArguments& arguments, Diagnost
 }  // namespace
 
 bool write_merged(const PartMerge& merge, const transport::ErrorEstimate& bias,
-                  const ImageDescription& description, const std::vector<std::string>& outputs, bool as_json,
-                  Diagnostics& diagnostics) {
+                  const ImageDescription& description, const std::vector<std::string>& outputs,
+                  SummaryStyle style, Diagnostics& diagnostics) {
   const transport::SamplePart& sum = merge.sum();
   if (sum.totals.rejected > 0) {
     diagnostics.warning(
@@ -87,8 +88,8 @@ bool write_merged(const PartMerge& merge, const transport::ErrorEstimate& bias,
                                     {"samples", double(sum.totals.paths) / sum.width / sum.height},
                                     {"render_seconds", sum.totals.seconds}};
   add_estimate(estimate, summary);
-  if (as_json) {
-    fmt::print("{}\n", json_text(summary, false));
+  if (style != SummaryStyle::Text) {
+    fmt::print("{}\n", json_text(summary, style == SummaryStyle::JsonLine));
     return are_written;
   }
   fmt::print("{}: {}x{} pixels, {} per pixel, rendered in {} altogether\n", outputs.front(), sum.width,

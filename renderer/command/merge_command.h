@@ -22,10 +22,17 @@ struct MergeArguments {
 /// samples lack is not written.
 grf::ExitCode merge(const MergeArguments& arguments);
 
+/// How the summary of a merged image is printed.
+enum class SummaryStyle {
+  Text,
+  Json,      ///< indented
+  JsonLine,  ///< after the lines of the progress
+};
+
 /// Writes the image of a merge that has all samples, and prints a summary. The bias of its samples is part of
 /// the stated error.
 bool write_merged(const transport::PartMerge& merge, const transport::ErrorEstimate& bias,
-                  const ImageDescription& description, const std::vector<std::string>& outputs, bool as_json,
-                  grf::Diagnostics& diagnostics);
+                  const ImageDescription& description, const std::vector<std::string>& outputs,
+                  SummaryStyle style, grf::Diagnostics& diagnostics);
 
 }  // namespace command

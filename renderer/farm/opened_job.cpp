@@ -35,7 +35,8 @@ bool can_divide(const RenderOptions& render_options, Diagnostics& diagnostics) {
   if (render_options.max_seconds) {
     return refuse("BPT_MaxTime", "with a time limit, it would depend on the machines (see BPT_TargetError)");
   }
-  if (render_options.frames != 1) return refuse("BPT_Frames", "give each frame on its own (BPT_Frame)");
+  if (render_options.frames != 1 && render_options.frame == 0)
+    return refuse("BPT_Frames", "give each frame on its own (BPT_Frame)");
   return true;
 }
 

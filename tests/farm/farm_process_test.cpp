@@ -78,6 +78,20 @@ TEST_F(Farm, OutlivesItsServer) {
   expect_image(rendering);
 }
 
+TEST_F(Farm, RendersAFrameOfAnAnimation) {
+  const std::string animation = scene(16, "BPT_Frames 3\n");
+  const test::Outcome one = test::run({Bpt, "render", animation, "--frame", "2", "-o", path("turn.pfm")});
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  const test::Process server = serve();
+  const test::Process worker = work();
+  const test::Outcome whole = farm({"render", animation, "-o", path("all.pfm")});
+  EXPECT_EQ(whole.exit_code, 1);
+  EXPECT_THAT(whole.err, testing::HasSubstr("give each frame on its own (BPT_Frame)"));
+  const test::Outcome frame = farm({"render", animation, "--frame", "2", "-o", path("frame.pfm")});
+  EXPECT_EQ(frame.exit_code, 0) << frame.err;
+  EXPECT_EQ(test::digest_of_file(path("frame.pfm")), test::digest_of_file(path("turn_0002.pfm")));
+}
+
 // The image takes seconds: a busy machine notices late that it has begun.
 class FarmOfALongImage : public test::FarmOfSceneTest {
  protected:
