@@ -17,6 +17,7 @@
 #include "editor/window/file_actions.h"
 #include "editor/window/main_window.h"
 #include "editor/window/tools.h"
+#include "editor/window/welcome_controller.h"
 #include "grf/exit_code.h"
 #include "grf/keywords.h"
 #include "grf/text_file.h"
@@ -39,7 +40,8 @@ int fail(const QString& message) {
 /// Whether a window shows what it was opened with; a study may still be refined.
 bool is_shown(QWidget& window) {
   if (auto* main_window = qobject_cast<editor::MainWindow*>(&window))
-    return !main_window->files().is_importing() && main_window->view().is_full();
+    return !main_window->files().is_importing() &&
+           (main_window->view().is_full() || !main_window->view().isVisible());
   if (const auto* study = qobject_cast<editor::ToolWindow*>(&window)) return study->has_picture();
   return window.isVisible();
 }
@@ -92,6 +94,7 @@ std::unique_ptr<QWidget> open_window(const QString& tool_name, QStringList files
     auto window = std::make_unique<editor::MainWindow>();
     window->show();
     window->open(files);
+    if (files.isEmpty() && editor::Preferences::load().shows_welcome) window->welcome().show_page();
     window->offer_lost_work();
     return window;
   }

@@ -2,6 +2,7 @@
 
 #include <QSettings>
 #include <algorithm>
+#include <utility>
 
 namespace editor {
 namespace {
@@ -17,6 +18,14 @@ int number_in(int least, int most, const char* key, int otherwise) {
   return is_number ? std::clamp(value, least, most) : otherwise;
 }
 
+/// The keys of the settings with the fields that they keep.
+constexpr std::pair<const char*, QString FarmAccess::*> FarmKeys[] = {
+    {"farm/server", &FarmAccess::server},
+    {"farm/token_file", &FarmAccess::token_file},
+    {"farm/authority_file", &FarmAccess::authority_file},
+    {"farm/certificate_file", &FarmAccess::certificate_file},
+    {"farm/key_file", &FarmAccess::key_file}};
+
 }  // namespace
 
 Preferences Preferences::load() {
@@ -28,6 +37,8 @@ Preferences Preferences::load() {
   result.undo_steps = number_in(0, MostUndoSteps, "undo_steps", result.undo_steps);
   result.threads = number_in(0, MostThreads, "threads", result.threads);
   result.autosave_seconds = number_in(1, MostAutosaveSeconds, "autosave_seconds", result.autosave_seconds);
+  for (const auto& [key, field] : FarmKeys) result.farm.*field = QSettings().value(key).toString();
+  result.shows_welcome = QSettings().value("shows_welcome", true).toBool();
   return result;
 }
 
@@ -40,6 +51,8 @@ void Preferences::store() const {
   settings.setValue("undo_steps", undo_steps);
   settings.setValue("threads", threads);
   settings.setValue("autosave_seconds", autosave_seconds);
+  for (const auto& [key, field] : FarmKeys) settings.setValue(key, farm.*field);
+  settings.setValue("shows_welcome", shows_welcome);
 }
 
 }  // namespace editor

@@ -6,6 +6,17 @@
 
 namespace editor {
 
+/// How to reach a render farm of `bpt`, see renderer/FARM.md.
+struct FarmAccess {
+  QString server = {};          ///< URL, as nats://host:4222; empty: there is no farm
+  QString token_file = {};      ///< path; empty: none
+  QString authority_file = {};  ///< certificates (PEM) of who signed the server's certificate; empty: no TLS
+  QString certificate_file = {};  ///< own certificate (PEM) for servers that ask for one; empty: none
+  QString key_file = {};          ///< private key (PEM) of the own certificate
+
+  bool operator==(const FarmAccess&) const = default;
+};
+
 /// The choices of Edit > Preferences that no scene stores. Shortcuts are in ShortcutKeys.
 struct Preferences {
   QString language;           ///< `en` or `es`; empty: that of the system
@@ -15,6 +26,8 @@ struct Preferences {
   int undo_steps = 0;         ///< largest number of undo steps; 0: no limit
   int threads = 0;            ///< of previews and renders whose options leave it open; 0: one per core
   int autosave_seconds = 3;   ///< time from a change to its autosave
+  FarmAccess farm = {};
+  bool shows_welcome = true;  ///< whether a session without a file starts with the page Welcome
 
   bool operator==(const Preferences&) const = default;
 

@@ -95,6 +95,7 @@ void FinalRender::start(FinalRenderRequest request) {
   is_running_ = true;
   is_stopped_ = false;
   summary_.reset();
+  farm_ = request.farm;
   const QString base = folder_.filePath(QString("render%1").arg(++number_));
   request.options.output = output.toStdString();
   request.options.scene = (base + ".grf").toStdString();
@@ -115,7 +116,26 @@ void FinalRender::run(const Files& files) {
   if (files.options.isEmpty()) return give_up(files.problem);
   if (is_stopped_) return give_up(tr("stopped before the first image"));
   former_ = files.former;
+  options_file_ = files.options;
+  if (farm_) return run_on_farm();
   process_.start({"render", files.options, "--progress", "json", "--json"});
+}
+
+/// Each frame of an animation is a job of its own on the farm. A job that was stopped resumes from its
+/// ledger.
+void FinalRender::run_on_farm() {
+  QStringList arguments = {"farm", "render", options_file_, "--output", output_, "--server", farm_->server};
+  const auto add = [&](const char* flag, const QString& value) {
+    if (!value.isEmpty()) arguments << flag << value;
+  };
+  add("--token-file", farm_->token_file);
+  add("--tls-ca", farm_->authority_file);
+  add("--tls-cert", farm_->certificate_file);
+  add("--tls-key", farm_->key_file);
+  if (images_.size() > 1) arguments << "--frame" << QString::number(done_images_ + 1);
+  process_.start(arguments << "--progress"
+                           << "json"
+                           << "--json");
 }
 
 void FinalRender::stop() {
@@ -148,6 +168,7 @@ void FinalRender::end(const RendererEnd& end) {
     return give_up(end.is_interrupted ? tr("stopped before the first image")
                                       : tr("the renderer wrote no image"));
   }
+  if (farm_ && !end.is_interrupted && done_images_ < images_.size()) return run_on_farm();
   output_ = images_[done_images_ - 1];
   FinalRenderResult result;
   result.image = output_;

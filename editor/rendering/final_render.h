@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "editor/document/import_folder.h"
+#include "editor/document/preferences.h"
 #include "editor/programs/bundled_program.h"
 #include "editor/rendering/render_report.h"
 #include "editor/rendering/renderer_process.h"
@@ -24,8 +25,9 @@ struct FinalRenderRequest {
   grf::Scene scene;
   QString path;  ///< of the scene's file; empty if it has none
   options::RenderOptions options;
-  ImportFolders imports;       ///< folders with images that the scene uses
-  bool may_overwrite = false;  ///< whether to overwrite an image of another session
+  ImportFolders imports;                ///< folders with images that the scene uses
+  bool may_overwrite = false;           ///< whether to overwrite an image of another session
+  std::optional<FarmAccess> farm = {};  ///< none: this machine renders
 };
 
 /// The result of a final render.
@@ -98,6 +100,7 @@ class FinalRender : public QObject {
   static Outcome read_result(FinalRenderResult result, const QString& copy);
   bool lock_output();
   void run(const Files& files);
+  void run_on_farm();
   void read(const QByteArray& line);
   void end(const RendererEnd& end);
   void finish();
@@ -112,6 +115,8 @@ class FinalRender : public QObject {
   QStringList images_;  ///< of the current render
   int done_images_ = 0;
   QSet<QString> rendered_;  ///< images rendered in this session
+  QString options_file_;    ///< of the current render
+  std::optional<FarmAccess> farm_;
   std::unique_ptr<QLockFile> lock_;
   QFutureWatcher<Files> writing_;
   QFutureWatcher<Outcome> reading_;

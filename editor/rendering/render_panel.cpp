@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHBoxLayout>
@@ -128,6 +129,7 @@ QWidget* RenderPanel::make_controls() {
   auto* switches = new QHBoxLayout;
   switches->addWidget(without_hidden_);
   switches->addWidget(shows_error);
+  switches->addWidget(make_machines(controls));
   progress_ = new QProgressBar(controls);
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
@@ -205,8 +207,8 @@ void RenderPanel::connect_final() {
     update_actions();
   });
   connect(&final_, &FinalRender::progressed, this, [this](const RenderReport& report) {
-    if (report.estimated_error) curve_->add(report.seconds, *report.estimated_error);
-    show_progress(report.done, report.seconds_left, report.estimated_error);
+    if (report.estimated_error && !report.farm) curve_->add(report.seconds, *report.estimated_error);
+    show_progress(report.done, report.seconds_left, report.estimated_error, report.farm);
     if (job_) job_->show_progress(report.done, report.seconds_left);
   });
   connect(&final_, &FinalRender::image_changed, this, [this](const auto& image) {
@@ -270,7 +272,13 @@ RenderOptions RenderPanel::options_with_threads() const {
 }
 
 FinalRenderRequest RenderPanel::final_request() const {
-  return {document_.scene(), document_.path(), options_with_threads(), document_.imports(), false};
+  const bool is_on_farm = machines_->currentIndex() == OnFarm;
+  return {document_.scene(),
+          document_.path(),
+          options_with_threads(),
+          document_.imports(),
+          false,
+          is_on_farm ? std::optional(farm_) : std::nullopt};
 }
 
 void RenderPanel::render() {
@@ -412,13 +420,18 @@ void RenderPanel::keep_op_file() {
   if (!there || !(*there == now)) emit op_file_differs(op_file);
 }
 
-void RenderPanel::show_progress(double done, std::optional<double> seconds_left,
-                                std::optional<double> error) {
+void RenderPanel::show_progress(double done, std::optional<double> seconds_left, std::optional<double> error,
+                                const std::optional<FarmReport>& farm) {
   progress_->setValue(static_cast<int>(done * progress_->maximum()));
   QString text = final_.is_running() ? tr("Rendering") : tr("Preview");
   text += " · " + tr("%1 %").arg(100 * done, 0, 'f', 0);
   if (seconds_left && done < 1) text += " · " + tr("%1 left").arg(duration_text(*seconds_left));
   if (error) text += " · " + tr("error %1").arg(percent_text(*error));
+  if (farm) {
+    text += " · " + tr("%1 of %2 parts").arg(farm->parts_done).arg(farm->parts) + " · " +
+            (farm->workers == 0 ? tr("no workers: `bpt farm work` starts one")
+                                : tr("%n worker(s)", nullptr, farm->workers));
+  }
   show_status(text);
 }
 

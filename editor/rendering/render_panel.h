@@ -14,6 +14,7 @@
 
 class QAction;
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
@@ -60,6 +61,8 @@ class RenderPanel : public QWidget {
   /// Sets the number of threads where the render options leave it open; 0: one per core. A running preview
   /// restarts.
   void set_threads(int threads);
+  /// Sets the farm on which final renders can be made; one without a server is none.
+  void set_farm(const FarmAccess& farm);
   /// Shows the preview in a 3D view: it is started, and follows that view and the edits until it is stopped.
   /// Without a view the preview is stopped.
   void set_preview_view(const std::optional<PreviewView>& view);
@@ -140,14 +143,20 @@ class RenderPanel : public QWidget {
   void keep_op_file();
   void show_options();
   void finish(const FinalRenderResult& result);
-  void show_progress(double done, std::optional<double> seconds_left, std::optional<double> error);
+  QComboBox* make_machines(QWidget* parent);
+  void show_progress(double done, std::optional<double> seconds_left, std::optional<double> error,
+                     const std::optional<FarmReport>& farm = {});
   void show_status(const QString& text);
   void log(const QString& text);
   void open_image();
   void update_actions();
 
+  enum Machines { ThisMachine, OnFarm };  ///< entries of the list
+
   Document& document_;
   JobList& jobs_;
+  FarmAccess farm_;
+  QComboBox* machines_ = nullptr;
   QPointer<Job> job_;          ///< the running render
   QPointer<Job> preview_job_;  ///< the preview while it renders
   OpDocument& options_;

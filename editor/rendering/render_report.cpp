@@ -49,6 +49,14 @@ class ReportText {
 
 std::optional<RenderReport> render_report_of(const QByteArray& line) {
   const QJsonObject object = QJsonDocument::fromJson(line).object();
+  if (const auto parts_done = number_in(object, "parts_done")) {
+    const FarmReport farm = {static_cast<int>(number_in(object, "parts").value_or(0)),
+                             static_cast<int>(*parts_done),
+                             static_cast<int>(number_in(object, "workers").value_or(0))};
+    const double done = farm.parts > 0 ? *parts_done / farm.parts : 0;
+    return RenderReport{done, 0,   number_in(object, "seconds_left"), number_in(object, "estimated_error"),
+                        {},   farm};
+  }
   const auto done = number_in(object, "done");
   if (!done) return std::nullopt;
   return RenderReport{*done, number_in(object, "seconds").value_or(0), number_in(object, "seconds_left"),

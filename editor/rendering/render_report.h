@@ -17,6 +17,13 @@ struct ForecastTime {
   std::optional<double> high;
 };
 
+/// Progress of a render on a farm.
+struct FarmReport {
+  int parts = 0;
+  int parts_done = 0;
+  int workers = 0;  ///< that work for the image
+};
+
 /// Progress of a render.
 struct RenderReport {
   double done = 0;  ///< 0..1
@@ -24,6 +31,7 @@ struct RenderReport {
   std::optional<double> seconds_left;     ///< none if unknown
   std::optional<double> estimated_error;  ///< sqrt(relMSE)
   std::vector<ForecastTime> forecasts;    ///< of the whole render; empty while there are none
+  std::optional<FarmReport> farm = {};    ///< none of a render on this machine
 };
 
 /// The visible noise of an image is what the eye sees of it, see transport::VisibleNoise.

@@ -3592,6 +3592,157 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
     </message>
 </context>
 <context>
+    <name>editor::LessonGuide</name>
+    <message>
+        <source>Look around</source>
+        <translation>Mirar alrededor</translation>
+    </message>
+    <message>
+        <source>Orbit, zoom, select faces and see what they are made of</source>
+        <translation>Orbitar, acercarse, seleccionar caras y ver de qué están hechas</translation>
+    </message>
+    <message>
+        <source>Drag with the middle mouse button to orbit, with Shift to pan. The arrow keys do the same.</source>
+        <translation>Arrastre con el botón central del ratón para orbitar, con Mayús para desplazar la vista. Las flechas hacen lo mismo.</translation>
+    </message>
+    <message>
+        <source>Turn the wheel to zoom about the pointer. The keys + and - zoom, too.</source>
+        <translation>Gire la rueda para acercarse al puntero o alejarse de él. Las teclas + y - también lo hacen.</translation>
+    </message>
+    <message>
+        <source>Click a face of the model to select it. A drag from a face selects all faces in a box; Shift adds, Ctrl removes.</source>
+        <translation>Haga clic en una cara del modelo para seleccionarla. Arrastrar desde una cara selecciona todas las de un rectángulo; Mayús añade, Ctrl quita.</translation>
+    </message>
+    <message>
+        <source>This is the surface of the selected faces: BRDF, colour, texture, emitted light and normals. Point at a field to read what it means, then press Next.</source>
+        <translation>Esta es la superficie de las caras seleccionadas: BRDF, color, textura, luz emitida y normales. Señale un campo para leer qué significa, y pulse Siguiente.</translation>
+    </message>
+    <message>
+        <source>Press F in the view to frame the selected faces, and Home to frame the whole scene.</source>
+        <translation>Pulse F en la vista para encuadrar las caras seleccionadas, e Inicio para encuadrar toda la escena.</translation>
+    </message>
+    <message>
+        <source>Change a material</source>
+        <translation>Cambiar un material</translation>
+    </message>
+    <message>
+        <source>Give faces another BRDF, adjust its parameters, and take it back</source>
+        <translation>Dar otra BRDF a las caras, ajustar sus parámetros y deshacerlo</translation>
+    </message>
+    <message>
+        <source>Click a face in the view.</source>
+        <translation>Haga clic en una cara de la vista.</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+M to select the whole mesh: the menu Select has this and many other ways to select.</source>
+        <translation>Pulse Ctrl+M para seleccionar toda la malla: el menú Selección tiene esta y muchas otras formas de seleccionar.</translation>
+    </message>
+    <message>
+        <source>Open Library in the BRDF dock, and double-click a BRDF to assign it to the selected faces.</source>
+        <translation>Abra Biblioteca en el panel BRDF y haga doble clic en una BRDF para asignarla a las caras seleccionadas.</translation>
+    </message>
+    <message>
+        <source>Drag a slider of the BRDF&apos;s parameters. The sphere, the lobe, the plots and the view follow it.</source>
+        <translation>Arrastre el control deslizante de un parámetro de la BRDF. La esfera, el lóbulo, las gráficas y la vista lo siguen.</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z to undo the last change. The History dock lists all of them.</source>
+        <translation>Pulse Ctrl+Z para deshacer el último cambio. El panel Historial los muestra todos.</translation>
+    </message>
+    <message>
+        <source>Light a scene</source>
+        <translation>Iluminar una escena</translation>
+    </message>
+    <message>
+        <source>Add a shape and a studio, and watch the path-traced preview while a light moves</source>
+        <translation>Añadir una forma y un estudio, y ver la vista previa por trazado de caminos mientras se cambia una luz</translation>
+    </message>
+    <message>
+        <source>Choose Scene &gt; Add a sphere. A model that is dropped on the window will do, too.</source>
+        <translation>Elija Escena &gt; Añadir una esfera. También sirve un modelo que se suelte en la ventana.</translation>
+    </message>
+    <message>
+        <source>Choose Scene &gt; Add a studio: a floor, a soft box and a rim light in proportion to what is there.</source>
+        <translation>Elija Escena &gt; Añadir un estudio: un suelo, una luz suave y una luz de contorno en proporción a lo que hay.</translation>
+    </message>
+    <message>
+        <source>Press F5 to start the preview, which follows each edit.</source>
+        <translation>Pulse F5 para iniciar la vista previa, que sigue cada cambio.</translation>
+    </message>
+    <message>
+        <source>Select a light in the list, and change its power, its size or where it is. Aim points it at what you click.</source>
+        <translation>Seleccione una luz de la lista y cambie su potencia, su tamaño o su posición. Apuntar la dirige a lo que se señale con un clic.</translation>
+    </message>
+    <message>
+        <source>Render as accurately as you need</source>
+        <translation>Renderizar con la precisión necesaria</translation>
+    </message>
+    <message>
+        <source>Know what an error costs in time before the render, and choose one</source>
+        <translation>Saber antes del render cuánto tiempo cuesta un error, y elegir uno</translation>
+    </message>
+    <message>
+        <source>Save the scene in a folder of your own by File &gt; Save as: the image is written beside it.</source>
+        <translation>Guarde la escena en una carpeta suya con Archivo &gt; Guardar como: la imagen se escribe junto a ella.</translation>
+    </message>
+    <message>
+        <source>The Render dock forecasts how long the image takes until its error is 5, 2 or 1 %, from a short probe. Wait until the times are there, and click one of them to take it as the target.</source>
+        <translation>El panel Render predice, con una prueba corta, cuánto tarda la imagen en llegar a un error del 5, el 2 o el 1 %. Espere a que aparezcan los tiempos y haga clic en uno para tomarlo como objetivo.</translation>
+    </message>
+    <message>
+        <source>Press F6 to render. The dock shows the estimated error, and the image so far.</source>
+        <translation>Pulse F6 para renderizar. El panel muestra el error estimado y la imagen hasta el momento.</translation>
+    </message>
+    <message>
+        <source>Open Images by Ctrl+7 to see the image, its error and its layers, and to compare it with the render before.</source>
+        <translation>Abra Imágenes con Ctrl+7 para ver la imagen, su error y sus capas, y para compararla con el render anterior.</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Atrás</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Siguiente</translation>
+    </message>
+    <message>
+        <source>&amp;Close lesson</source>
+        <translation>&amp;Cerrar la lección</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lección</translation>
+    </message>
+    <message>
+        <source>What to do in this step of the lesson</source>
+        <translation>Qué hacer en este paso de la lección</translation>
+    </message>
+    <message>
+        <source>Go to the step before</source>
+        <translation>Vuelve al paso anterior</translation>
+    </message>
+    <message>
+        <source>Go to the next step without doing this one</source>
+        <translation>Pasa al paso siguiente sin hacer este</translation>
+    </message>
+    <message>
+        <source>End the lesson; what was done stays</source>
+        <translation>Termina la lección; lo que se hizo se conserva</translation>
+    </message>
+    <message>
+        <source>%1: done</source>
+        <translation>%1: hecho</translation>
+    </message>
+    <message>
+        <source>Help &gt; Welcome has the other lessons, and F1 lists all shortcuts.</source>
+        <translation>Ayuda &gt; Bienvenida tiene las otras lecciones, y F1 muestra todos los atajos.</translation>
+    </message>
+    <message>
+        <source>%1: step %2 of %3</source>
+        <translation>%1: paso %2 de %3</translation>
+    </message>
+</context>
+<context>
     <name>editor::LibraryList</name>
     <message>
         <source>BRDFs of the library</source>
@@ -5910,6 +6061,70 @@ BPT_Scene  scene.grf</translation>
         <source>U&amp;p axis of imports</source>
         <translation>Eje &amp;vertical al importar</translation>
     </message>
+    <message>
+        <source>&amp;Farm</source>
+        <translation>&amp;Granja</translation>
+    </message>
+    <message>
+        <source>&amp;Server</source>
+        <translation>&amp;Servidor</translation>
+    </message>
+    <message>
+        <source>Server of the farm</source>
+        <translation>Servidor de la granja</translation>
+    </message>
+    <message>
+        <source>URL of the render farm&apos;s server, as printed by `bpt farm serve`: nats://HOST:4222. The Render dock can then render there. Empty: no farm.</source>
+        <translation>URL del servidor de la granja de render, como la muestra `bpt farm serve`: nats://HOST:4222. El panel Render puede entonces renderizar allí. Vacío: sin granja.</translation>
+    </message>
+    <message>
+        <source>T&amp;oken file</source>
+        <translation>Archivo del t&amp;oken</translation>
+    </message>
+    <message>
+        <source>Token file</source>
+        <translation>Archivo del token</translation>
+    </message>
+    <message>
+        <source>File with the secret token of the server; empty: the server asks for none.</source>
+        <translation>Archivo con el token secreto del servidor; vacío: el servidor no pide ninguno.</translation>
+    </message>
+    <message>
+        <source>C&amp;A certificates</source>
+        <translation>Certificados de la C&amp;A</translation>
+    </message>
+    <message>
+        <source>CA certificates</source>
+        <translation>Certificados de la CA</translation>
+    </message>
+    <message>
+        <source>File (PEM) with the certificates of the authority that signed the server&apos;s certificate, for TLS.</source>
+        <translation>Archivo (PEM) con los certificados de la autoridad que firmó el del servidor, para TLS.</translation>
+    </message>
+    <message>
+        <source>Own &amp;certificate</source>
+        <translation>&amp;Certificado propio</translation>
+    </message>
+    <message>
+        <source>Own certificate</source>
+        <translation>Certificado propio</translation>
+    </message>
+    <message>
+        <source>File (PEM) with the own certificate, for servers that ask for one.</source>
+        <translation>Archivo (PEM) con el certificado propio, para servidores que lo piden.</translation>
+    </message>
+    <message>
+        <source>&amp;Private key</source>
+        <translation>Clave &amp;privada</translation>
+    </message>
+    <message>
+        <source>Private key</source>
+        <translation>Clave privada</translation>
+    </message>
+    <message>
+        <source>File (PEM) with the key of the own certificate.</source>
+        <translation>Archivo (PEM) con la clave del certificado propio.</translation>
+    </message>
 </context>
 <context>
     <name>editor::Recovery</name>
@@ -6443,6 +6658,37 @@ BPT_Scene  scene.grf</translation>
     <message>
         <source>1 sample</source>
         <translation>1 muestra</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts</source>
+        <translation>%1 de %2 partes</translation>
+    </message>
+    <message>
+        <source>no workers: `bpt farm work` starts one</source>
+        <translation>sin trabajadores: `bpt farm work` inicia uno</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n worker(s)</source>
+        <translation>
+            <numerusform>%n trabajador</numerusform>
+            <numerusform>%n trabajadores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Machines of final renders</source>
+        <translation>Máquinas de los renders finales</translation>
+    </message>
+    <message>
+        <source>Where final renders are made; the image is the same, to the last bit. Edit &gt; Preferences &gt; Farm names the farm</source>
+        <translation>Dónde se hacen los renders finales; la imagen es la misma, hasta el último bit. Editar &gt; Preferencias &gt; Granja indica la granja</translation>
+    </message>
+    <message>
+        <source>On this machine</source>
+        <translation>En esta máquina</translation>
+    </message>
+    <message>
+        <source>On the farm %1</source>
+        <translation>En la granja %1</translation>
     </message>
 </context>
 <context>
@@ -8758,6 +9004,95 @@ La versión anterior se sigue mostrando.</translation>
     <message>
         <source>Hi&amp;de others</source>
         <translation>Oc&amp;ultar las demás</translation>
+    </message>
+</context>
+<context>
+    <name>editor::WelcomeController</name>
+    <message>
+        <source>&amp;Welcome</source>
+        <translation>&amp;Bienvenida</translation>
+    </message>
+    <message>
+        <source>Recent files, sample scenes and lessons</source>
+        <translation>Archivos recientes, escenas de ejemplo y lecciones</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Abrir</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation>Bienvenida</translation>
+    </message>
+</context>
+<context>
+    <name>editor::WelcomePage</name>
+    <message>
+        <source>Welcome to wannabe</source>
+        <translation>Bienvenida a wannabe</translation>
+    </message>
+    <message>
+        <source>&amp;Show this page at the start</source>
+        <translation>&amp;Mostrar esta página al empezar</translation>
+    </message>
+    <message>
+        <source>Show this page when the editor starts without a file; Help &gt; Welcome shows it, too</source>
+        <translation>Muestra esta página cuando el editor empieza sin un archivo; Ayuda &gt; Bienvenida también la muestra</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Empezar</translation>
+    </message>
+    <message>
+        <source>&amp;New scene</source>
+        <translation>&amp;Nueva escena</translation>
+    </message>
+    <message>
+        <source>Start an empty scene</source>
+        <translation>Empieza una escena vacía</translation>
+    </message>
+    <message>
+        <source>&amp;Open...</source>
+        <translation>&amp;Abrir...</translation>
+    </message>
+    <message>
+        <source>Open scenes, or import models of other formats</source>
+        <translation>Abre escenas, o importa modelos de otros formatos</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lecciones</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) in the window</source>
+        <translation>
+            <numerusform>%n paso en la ventana</numerusform>
+            <numerusform>%n pasos en la ventana</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Ejemplos</translation>
+    </message>
+    <message>
+        <source>No samples are installed: they are in the package granada-samples.</source>
+        <translation>No hay ejemplos instalados: están en el paquete granada-samples.</translation>
+    </message>
+    <message>
+        <source>Open the sample %1</source>
+        <translation>Abre el ejemplo %1</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Abre %1</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more</source>
+        <translation>%1 ya no está</translation>
+    </message>
+    <message>
+        <source>Files that were opened are listed here.</source>
+        <translation>Aquí aparecen los archivos que se han abierto.</translation>
     </message>
 </context>
 </TS>

@@ -50,7 +50,9 @@
 #include "editor/window/status_line.h"
 #include "editor/window/view_actions.h"
 #include "editor/window/view_controller.h"
+#include "editor/window/sample_scenes.h"
 #include "editor/window/visibility_actions.h"
+#include "editor/window/welcome_controller.h"
 #include "renderer/reflectance/scheme.h"
 
 namespace editor {
@@ -83,6 +85,7 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   material_actions_ = new MaterialActions(document_, *this);
   mesh_actions_ = new MeshActions(document_, jobs_, *this);
   effects_ = new EffectsController(document_, *render_, *pages_, *this);
+  welcome_ = new WelcomeController(*this, *pages_, samples_folder());
   lay_out();
   make_menus();
   images_ = new ImageController(*render_, *pages_, *image_menu_, this);

@@ -49,6 +49,7 @@ class ViewActions;
 class ShortcutKeys;
 class ViewController;
 class VisibilityActions;
+class WelcomeController;
 struct Tool;
 
 /// The 3D view of a document, its docks, and the controllers that connect them. The only modal dialogs are
@@ -87,6 +88,8 @@ class MainWindow : public QMainWindow {
   ImageBrowser& image_browser();
   /// Goes to the page Cost, which is created on first use.
   CostPage& cost_page();
+  /// The page Welcome, and the lessons.
+  WelcomeController& welcome() { return *welcome_; }
 
  protected:
   void childEvent(QChildEvent* event) override;
@@ -166,6 +169,7 @@ class MainWindow : public QMainWindow {
   ImageController* images_ = nullptr;
   CostPage* cost_ = nullptr;
   EffectsController* effects_ = nullptr;
+  WelcomeController* welcome_ = nullptr;
   std::unique_ptr<ShortcutKeys> keys_;  ///< of the menus
   bool refuses_studio_ = false;         ///< for the model that was imported
   QMenu* image_menu_ = nullptr;         ///< shown once there are images

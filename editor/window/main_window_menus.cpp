@@ -40,6 +40,7 @@
 #include "editor/window/view_actions.h"
 #include "editor/window/view_controller.h"
 #include "editor/window/visibility_actions.h"
+#include "editor/window/welcome_controller.h"
 
 namespace editor {
 namespace {
@@ -146,6 +147,7 @@ void MainWindow::apply_preferences(const Preferences& preferences) {
     show_lengths_in(preferences.length_unit, *dock);
   document_.undo_stack().set_limit(preferences.undo_steps);
   render_->set_threads(preferences.threads);
+  render_->set_farm(preferences.farm);
   recovery_->set_autosave_delay(1000 * preferences.autosave_seconds);
 }
 
@@ -249,6 +251,7 @@ void MainWindow::make_help_menu() {
     menu->addAction(new_action(*this, {tool.title, {}, {}, tool.about}, [this, tool] { open_tool(tool); }));
   }
   QMenu* help = add_menu(*menuBar(), tr("Help"));
+  help->addAction(welcome_->action());
   help->addAction(new_action(
       *this, {tr("&Keyboard shortcuts"), {}, QKeySequence("F1"), tr("List and search all shortcuts")},
       [this] { show_shortcuts(*this); }));

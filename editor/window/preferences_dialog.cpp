@@ -48,6 +48,7 @@ PreferencesDialog::PreferencesDialog(ShortcutKeys& keys, QWidget* parent)
   tabs->setToolTip(tr("Pages of the preferences"));
   tabs->addTab(make_general_page(), tr("&General"));
   tabs->addTab(make_work_page(), tr("&Work"));
+  tabs->addTab(make_farm_page(), tr("&Farm"));
   tabs->addTab(make_keys_page(), tr("&Keys"));
   rows->addWidget(tabs, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
@@ -135,6 +136,43 @@ QWidget* PreferencesDialog::make_work_page() {
   add_number(*form, tr("&Autosave after"), tr("Autosave after"),
              tr("Time from a change to the autosave of unsaved work."), 1, Preferences::MostAutosaveSeconds,
              "s", &Preferences::autosave_seconds);
+  return page;
+}
+
+void PreferencesDialog::add_file(QFormLayout& form, const QString& label, const QString& name,
+                                 const QString& tip, QString FarmAccess::*field) {
+  auto* text = new QLineEdit(preferences_.farm.*field, this);
+  text->setAccessibleName(name);
+  text->setToolTip(tip);
+  form.addRow(label, text);
+  connect(text, &QLineEdit::editingFinished, this, [this, text, field] {
+    Preferences changed = preferences_;
+    changed.farm.*field = text->text().trimmed();
+    change(changed);
+  });
+}
+
+/// The access of `bpt farm render`, see renderer/FARM.md.
+QWidget* PreferencesDialog::make_farm_page() {
+  auto* page = new QWidget(this);
+  QFormLayout* form = form_on(page);
+  add_file(
+      *form, tr("&Server"), tr("Server of the farm"),
+      tr("URL of the render farm's server, as printed by `bpt farm serve`: nats://HOST:4222. The Render dock "
+         "can then render there. Empty: no farm."),
+      &FarmAccess::server);
+  add_file(*form, tr("T&oken file"), tr("Token file"),
+           tr("File with the secret token of the server; empty: the server asks for none."),
+           &FarmAccess::token_file);
+  add_file(
+      *form, tr("C&A certificates"), tr("CA certificates"),
+      tr("File (PEM) with the certificates of the authority that signed the server's certificate, for TLS."),
+      &FarmAccess::authority_file);
+  add_file(*form, tr("Own &certificate"), tr("Own certificate"),
+           tr("File (PEM) with the own certificate, for servers that ask for one."),
+           &FarmAccess::certificate_file);
+  add_file(*form, tr("&Private key"), tr("Private key"),
+           tr("File (PEM) with the key of the own certificate."), &FarmAccess::key_file);
   return page;
 }
 

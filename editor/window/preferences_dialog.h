@@ -36,10 +36,13 @@ class PreferencesDialog : public QDialog {
  private:
   QWidget* make_general_page();
   QWidget* make_work_page();
+  QWidget* make_farm_page();
   QWidget* make_keys_page();
   QComboBox* add_list(QFormLayout& form, const QString& label, const QString& name, const QString& tip,
                       const std::vector<std::pair<QString, QString>>& choices, const QString& now,
                       const std::function<void(const QString& choice)>& take);
+  void add_file(QFormLayout& form, const QString& label, const QString& name, const QString& tip,
+                QString FarmAccess::*field);
   void add_number(QFormLayout& form, const QString& label, const QString& name, const QString& tip, int least,
                   int most, const QString& unit, int Preferences::*field);
   void change(const Preferences& preferences);

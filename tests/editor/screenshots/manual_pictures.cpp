@@ -30,8 +30,10 @@
 #include "editor/rendering/noise_window.h"
 #include "editor/rendering/render_panel.h"
 #include "editor/tools/tool_windows.h"
+#include "editor/window/file_actions.h"
 #include "editor/window/risk_dialog.h"
 #include "editor/window/viewer_window.h"
+#include "editor/window/welcome_controller.h"
 #include "grf/text_file.h"
 #include "tests/editor/screenshots/pictures.h"
 #include "tests/editor/screenshots/stage.h"
@@ -55,6 +57,29 @@ QPixmap window_with(BrdfEditor::View view, QSize size) {
 
 QPixmap empty_window() {
   Stage stage;
+  return stage.picture();
+}
+
+/// A session's first page, after two files were opened.
+QPixmap welcome_page() {
+  Stage stage;
+  for (const char* name : {"kitchen.grf", "vase.grf"})
+    editor::add_recent_file(stage.add(name, "# a scene\n"));
+  stage.window().welcome().show_page();
+  stage.settle();
+  return stage.picture();
+}
+
+/// A step of a lesson, with its control marked.
+QPixmap lesson() {
+  Stage stage;
+  stage.open(Samples + "layers/layers.grf");
+  stage.window().welcome().start_lesson(1);
+  stage.select_patch({0.42, 0.45}, 0);
+  QTest::qWait(500);
+  stage.act("Expand to whole mesh");
+  QTest::qWait(500);
+  stage.settle();
   return stage.picture();
 }
 
@@ -393,6 +418,8 @@ std::vector<Picture> manual_pictures() {
   return {
       {"window", window},
       {"window_empty", empty_window},
+      {"welcome", welcome_page},
+      {"lesson", lesson},
       {"render", render_window},
       {"cost", cost_page},
       {"effects", effects_page},
