@@ -13,7 +13,8 @@ macro(granada_install_libraries)
 
   set(package_folder lib/cmake/granada)
   install(EXPORT granada NAMESPACE granada:: FILE granada-targets.cmake DESTINATION ${package_folder} COMPONENT dev)
-  configure_package_config_file(cmake/granada-config.cmake.in granada-config.cmake INSTALL_DESTINATION ${package_folder})
+  configure_package_config_file(cmake/granada-config.cmake.in granada-config.cmake
+    INSTALL_DESTINATION ${package_folder})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/granada-config-version.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/granada-config.cmake ${PROJECT_BINARY_DIR}/granada-config-version.cmake
     DESTINATION ${package_folder} COMPONENT dev)

@@ -72,42 +72,44 @@ struct SampleArrays {
 };
 
 constexpr const char* BrdfText =
-    "A BRDF with a sampling scheme: BRDF('ward sx=0.1 sy=0.3'), BRDF('gold.binary', scheme='adaptive').\n\n"
-    "text is what `bpt brdf` takes: a model with its parameters as in a scene, the name of a file with such "
-    "a "
-    "text,\n"
-    "of measured data (MERL .binary, RGL .bsdf), or 'scene.grf:NAME' for a definition of a scene. scheme is "
-    "a\n"
-    "sampling scheme as after the keyword pdf: 'own' (the model's own sampler), 'auto', 'hemisphere "
-    "exp=20'.\n"
-    "Raises granada.Error if either is wrong, or if the scheme cannot sample the BRDF.\n\n"
-    "Directions are unit vectors in the local frame, whose z axis is the normal: wi points towards the "
-    "light, "
-    "wo\n"
-    "towards the eye. Arrays of shape (..., 3) are broadcast like NumPy's; values are float32, computed "
-    "without\n"
-    "Python's global lock and on all cores.";
+    R"(A BRDF with a sampling scheme: BRDF('ward sx=0.1 sy=0.3'), BRDF('gold.binary', scheme='adaptive').
+
+text is what `bpt brdf` takes: a model with its parameters as in a scene, the name of a file with such a text
+or of measured data (MERL .binary, RGL .bsdf), or 'scene.grf:NAME' for a definition of a scene. scheme is a
+sampling scheme as after the keyword pdf: 'own' (the model's own sampler), 'auto', 'hemisphere exp=20'.
+Raises granada.Error if either is wrong, or if the scheme cannot sample the BRDF.
+
+Directions are unit vectors in the local frame, whose z axis is the normal: wi points towards the light, wo
+towards the eye. Arrays of shape (..., 3) are broadcast like NumPy's; values are float32, computed without
+Python's global lock and on all cores.)";
 
 constexpr const char* EvaluateText =
-    "Return the value f of the BRDF in 1/sr, RGB, of shape (..., 3).\n\n"
-    "The cosine is not in it, nor is the specular (delta) part. It is 0 if a direction is at or below the "
-    "horizon.";
+    R"(Return the value f of the BRDF in 1/sr, RGB, of shape (..., 3).
+
+The cosine is not in it, nor is the specular (delta) part. It is 0 if a direction is at or below the horizon.)";
+
 constexpr const char* PdfText =
-    "Return the pdf of `sample` for wi at the view wo, per solid angle in 1/sr.\n\n"
-    "It is that of directions that are not the specular (delta) part's.";
+    R"(Return the pdf of `sample` for wi at the view wo, per solid angle in 1/sr.
+
+It is that of directions that are not the specular (delta) part's.)";
+
 constexpr const char* SampleText =
-    "Draw a direction wi for each view wo, by three independent uniform numbers in [0, 1) of u.\n\n"
-    "Returns Samples. The mean of `weight` is the albedo: it is f cos(theta_i) / pdf.";
+    R"(Draw a direction wi for each view wo, by three independent uniform numbers in [0, 1) of u.
+
+Returns Samples. The mean of their `weight`, which is f cos(theta_i) / pdf, is the albedo.)";
+
 constexpr const char* AlbedoText =
-    "Return the directional albedo, RGB, of shape (..., 3): the integral of f cos(theta_i), with the "
-    "specular\n"
-    "(delta) part.\n\n"
-    "theta is the angle of the view from the normal and phi that from the x axis, in radians. It is computed "
-    "by\n"
-    "quasi-Monte Carlo with so many samples; by default it is within 0.002.";
+    R"(Return the directional albedo, RGB, of shape (..., 3): the integral of f cos(theta_i), with the specular
+(delta) part.
+
+theta is the angle of the view from the normal and phi that from the x axis, in radians. It is computed by
+quasi-Monte Carlo with so many samples; by default it is within 0.002.)";
+
 constexpr const char* SpecularText =
-    "Return the weight of the specular (delta) part, RGB, of shape (..., 3): the fraction of light that is\n"
-    "reflected into the mirror direction of wo. It is 0 for models without such a part.";
+    R"(Return the weight of the specular (delta) part, RGB, of shape (..., 3).
+
+It is the fraction of light that is reflected into the mirror direction of wo, 0 for models without such a
+part.)";
 
 void define_samples(py::module_& module) {
   py::class_<Samples>(module, "Samples", "Directions that BRDF.sample drew, an element each.")

@@ -62,10 +62,10 @@ py::array_t<float> array_of(const image::ImageLayer& layer, int width, int heigh
 void define_images(py::module_& module) {
   module.def("read_image", &read_image, py::arg("path"),
              "Read an image as linear RGB of shape (height, width, 3), rows from the top: OpenEXR, Radiance, "
-             "PFM, PNG,\nJPEG, TGA or WebP.");
+             "PFM, PNG, JPEG, TGA or WebP.");
   module.def("write_image", &write_image, py::arg("path"), py::arg("image"), py::arg("exposure") = 0.0F,
              "Write linear RGB of shape (height, width, 3) in the format of the name: exr, hdr and pfm store "
-             "it, png,\njpg and tga sRGB of 8 bits, with an exposure in stops.");
+             "it, png, jpg and tga sRGB of 8 bits, with an exposure in stops.");
 }
 
 }  // namespace python

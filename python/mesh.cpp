@@ -128,6 +128,12 @@ std::vector<Surface> surfaces_of(const grf::Mesh& mesh, const grf::Scope& scope)
 
 py::tuple tuple_of(const grf::Colour& colour) { return py::make_tuple(colour.x, colour.y, colour.z); }
 
+constexpr const char* SurfaceBrdfText =
+    R"(The BRDF as text for granada.BRDF, also if the scene defines it by name.
+
+It is None for a face without one, where 'diffuse kd=0.5' holds, and for sums and layers, which name other
+definitions: granada.BRDF('scene.grf:NAME') has those.)";
+
 void define_surfaces(py::module_& module) {
   py::class_<Surface>(module, "Surface", "The attributes that some faces of a mesh share.")
       .def_readonly("text", &Surface::text, "The attributes as GRF text, a line each.")
@@ -136,9 +142,7 @@ void define_surfaces(py::module_& module) {
           [](const Surface& surface) {
             return surface.brdf.empty() ? py::none() : py::object(py::str(surface.brdf));
           },
-          "The BRDF as text for granada.BRDF, also if the scene defines it by name; None for a face without "
-          "one\n(granada.BRDF('diffuse kd=0.5') holds), and for sums and layers, which name other "
-          "definitions.")
+          SurfaceBrdfText)
       .def_property_readonly(
           "colour", [](const Surface& surface) { return tuple_of(surface.colour); },
           "The factor of the BRDF, RGB.")

@@ -11,11 +11,12 @@ using grf::Diagnostic;
 using grf::Severity;
 
 constexpr const char* ErrorText =
-    "Bad input, such as a file that cannot be read.\n\n"
-    "The message has each error and warning with its file, line and column, and the source line.\n\n"
-    "Attributes: message (of the first error, without its location), file, line, column (of the same; None "
-    "where\n"
-    "unknown; lines and columns count from 1), diagnostics (all errors, warnings and notes).";
+    R"(Bad input, such as a file that cannot be read.
+
+The message has each error and warning with its file, line and column, and the source line.
+
+Attributes: message (of the first error, without its location), file, line and column (of the same; None
+where unknown; lines and columns count from 1), diagnostics (all errors, warnings and notes).)";
 
 const char* name_of(Severity severity) {
   switch (severity) {
@@ -27,14 +28,6 @@ const char* name_of(Severity severity) {
       return "error";
   }
   return "";
-}
-
-/// Diagnostics are printable, but for paths, which may have any bytes: Python keeps those as in
-/// `os.fsdecode`.
-py::str text_of(const std::string& text) {
-  PyObject* decoded = PyUnicode_DecodeFSDefaultAndSize(text.data(), static_cast<Py_ssize_t>(text.size()));
-  if (decoded == nullptr) throw py::error_already_set();
-  return py::reinterpret_steal<py::str>(decoded);
 }
 
 py::object file_of(const Diagnostic& diagnostic) {
@@ -73,6 +66,12 @@ void define_messages(py::module_& module) {
   for (const char* name : {"message", "file", "line", "column"}) error.attr(name) = py::none();
   error.attr("diagnostics") = py::tuple();
   module.attr("Error") = error;
+}
+
+py::str text_of(const std::string& text) {
+  PyObject* decoded = PyUnicode_DecodeFSDefaultAndSize(text.data(), static_cast<Py_ssize_t>(text.size()));
+  if (decoded == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(decoded);
 }
 
 py::list entries_of(const grf::Diagnostics& diagnostics) {

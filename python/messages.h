@@ -1,6 +1,8 @@
 // Diagnostics become objects and exceptions of Python.
 #pragma once
 
+#include <string>
+
 #include <pybind11/pybind11.h>
 
 #include "grf/diagnostics.h"
@@ -11,6 +13,10 @@ namespace py = pybind11;
 
 /// Adds `Diagnostic` and the exception `Error` to the module.
 void define_messages(py::module_& module);
+
+/// Returns text in UTF-8 as a string. Paths may have other bytes, which are kept as by Python's
+/// `os.fsdecode`.
+py::str text_of(const std::string& text);
 
 /// Returns a list of `granada.Diagnostic`.
 py::list entries_of(const grf::Diagnostics& diagnostics);

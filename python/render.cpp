@@ -182,21 +182,16 @@ Rendered render(const std::filesystem::path& scene, const py::object& progress, 
 }
 
 constexpr const char* RenderText =
-    "Render a scene and return a Render.\n\n"
-    "scene is an OP file or a scene in GRF. Options are those of `bpt render` with underscores, such as "
-    "samples=16,\n"
-    "size=(64, 64), target_error=0.02, time=10, seed=1, threads=2, layers=['albedo', 'normal'], pdf='own', "
-    "and "
-    "the other\n"
-    "keys of OP files without BPT_, such as viewer=(0, 1, 4) and vlook=(0, 0, 0); they override those of the "
-    "file.\n\n"
-    "progress(p) is called at the beginning, about every tenth of a second, and at the end, with a Progress. "
-    "If "
-    "it\n"
-    "returns False, the render stops, with the image so far; an exception in it, and Ctrl+C, end the render "
-    "and "
-    "pass\n"
-    "through. Raises granada.Error for errors in files.";
+    R"(Render a scene and return a Render.
+
+scene is an OP file or a scene in GRF. Options are the flags of `bpt render` with underscores, such as
+samples=16, size=(64, 64), target_error=0.02, time=10, seed=1, threads=2, layers=['albedo', 'normal'] and
+pdf='own', and the other keys of OP files in lower case without BPT_, such as viewer=(0, 1, 4) and
+vlook=(0, 0, 0). They override those of the file.
+
+progress(p) is called with a Progress at the beginning, about every tenth of a second, and at the end. If it
+returns False, the render stops, with the image so far; an exception in it, and Ctrl+C, end the render and
+pass through. Raises granada.Error for errors in files.)";
 
 void define_progress(py::module_& module) {
   py::class_<Progress>(module, "Progress", "The state of a render, for callbacks.")
@@ -234,7 +229,7 @@ void define_renders(py::module_& module) {
       .def_readonly("image", &Rendered::image, "Linear RGB radiance, (height, width, 3), rows from the top.")
       .def_readonly("layers", &Rendered::layers,
                     "The layers that were asked for, by name: albedo, normal, variance (height, width, 3); "
-                    "depth, error,\nsamples (height, width).")
+                    "depth, error, samples (height, width).")
       .def_property_readonly(
           "error",
           [](const Rendered& rendered) {

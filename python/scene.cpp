@@ -111,7 +111,7 @@ py::list risks_of(const grf::Scene& scene) {
   for (const convert::Risk& risk : risks) {
     py::dict facts;
     facts["kind"] = convert::info_of(risk.kind).name;
-    facts["message"] = risk.message;
+    facts["message"] = text_of(risk.message);
     facts["advice"] = convert::info_of(risk.kind).advice;
     facts["share"] = risk.share;
     facts["faces"] =
@@ -158,6 +158,24 @@ py::dict summary_of(const Scene& scene) {
   return facts;
 }
 
+constexpr const char* WriteText =
+    R"(Write the scene in the format of the name, or in `format`, and return what was lost as diagnostics.
+
+op_file is an OP file with the view, for formats that have one (pbrt, Mitsuba). Raises granada.Error, and
+leaves the file unchanged, if it cannot be written.)";
+
+constexpr const char* ReadText =
+    R"(Read a scene in any format that grfconvert reads, and check it.
+
+The format is detected unless it is given; variant is that of a glTF file's materials. Raises granada.Error
+if the file cannot be read, or if the scene has an error. Files from strangers are read in this process;
+`grfconvert` reads each in a process of its own.)";
+
+constexpr const char* CheckText =
+    R"(Check a file and return a Report; errors in it are not raised.
+
+With deep=True also look for risks: what can make images of a valid scene wrong or noisy.)";
+
 }  // namespace
 
 void define_scenes(py::module_& module) {
@@ -171,8 +189,9 @@ void define_scenes(py::module_& module) {
           "What can make images wrong or noisy, as dicts, the worst first; empty without deep=True.")
       .def("__bool__", [](const Report& report) { return report.is_valid; });
   py::class_<Scene>(module, "Scene", "A scene as it was read from a file.")
-      .def_readonly("path", &Scene::path,
-                    "The file that it was read from: its file names are relative to it.")
+      .def_property_readonly(
+          "path", [](const Scene& scene) { return text_of(scene.path); },
+          "The file that it was read from: its file names are relative to it.")
       .def_readonly("format", &Scene::format, "The name of its format, such as 'grf' or 'obj'.")
       .def_property_readonly(
           "diagnostics", [](const Scene& scene) { return entries_of(scene.diagnostics); },
@@ -185,18 +204,11 @@ void define_scenes(py::module_& module) {
       .def("summary", &summary_of,
            "Return counts, the area in world units and the bounds, as `grfconvert info` prints them.")
       .def("write", &write, py::arg("path"), py::arg("format") = py::none(), py::arg("op_file") = py::none(),
-           "Write the scene in the format of the name, or in `format`, and return what was lost as "
-           "diagnostics.\n\n"
-           "op_file is an OP file with the view, for formats that have one (pbrt, Mitsuba). Raises "
-           "granada.Error, and\n"
-           "leaves the file unchanged, if it cannot be written.")
-      .def("__repr__", [](const Scene& scene) { return py::str("<granada.Scene {!r}>").format(scene.path); });
+           WriteText)
+      .def("__repr__",
+           [](const Scene& scene) { return py::str("<granada.Scene {!r}>").format(text_of(scene.path)); });
   module.def("read", &read_scene, py::arg("path"), py::arg("format") = py::none(), py::arg("variant") = "",
-             "Read a scene in any format that grfconvert reads, and check it.\n\n"
-             "The format is detected unless it is given; variant is that of a glTF file's materials. Raises\n"
-             "granada.Error if the file cannot be read, or if the scene has an error. Files from strangers "
-             "are read\n"
-             "in this process; `grfconvert` reads each in a process of its own.");
+             ReadText);
   module.def("read_text", &read_text, py::arg("text"), py::arg("path") = Path("text.grf"),
              "Read a scene from GRF text; file names in it are relative to the folder of `path`.");
   module.def("convert", &convert_file, py::arg("input"), py::arg("output"),
@@ -204,8 +216,7 @@ void define_scenes(py::module_& module) {
              py::arg("op_file") = py::none(),
              "Convert a file, and return warnings and losses as diagnostics. Raises granada.Error.");
   module.def("check", &check, py::arg("path"), py::arg("format") = py::none(), py::arg("deep") = false,
-             "Check a file and return a Report; errors in it are not raised.\n\n"
-             "With deep=True also look for risks: what can make images of a valid scene wrong or noisy.");
+             CheckText);
 }
 
 }  // namespace python

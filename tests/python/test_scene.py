@@ -1,6 +1,7 @@
 """Scenes and their meshes as arrays."""
 
 import json
+import os
 import subprocess
 
 import granada
@@ -126,6 +127,16 @@ def test_a_missing_file_is_an_error(tmp_path):
     with pytest.raises(granada.Error) as caught:
         granada.read(tmp_path / "none.grf")
     assert caught.value.file == str(tmp_path / "none.grf") and caught.value.line is None
+
+
+def test_paths_may_have_any_bytes(tmp_path):
+    path = os.fsdecode(os.fsencode(tmp_path) + b"/\xff.grf")
+    with open(path, "w") as file:
+        file.write(CUBE.format(surface="brdf diffuse"))
+    assert granada.read(path).path == path
+    with pytest.raises(granada.Error) as caught:
+        granada.read(path + "f")
+    assert caught.value.file == path + "f"
 
 
 def test_wrong_formats_are_refused(cube, tmp_path):
