@@ -9,8 +9,9 @@ namespace command {
 
 /// Resource limits of decoding one image.
 struct DecodingLimits {
-  double seconds = 60;
-  std::uint64_t memory = std::uint64_t(4) << 30U;  ///< bytes of address space; ignored under sanitizers
+  double seconds = 600;
+  /// Bytes of address space, enough for the largest image; ignored under sanitizers.
+  std::uint64_t memory = std::uint64_t(16) << 30U;
 };
 
 /// Reads images as image::read_image does, with the same messages. Formats that libraries decode, where most
