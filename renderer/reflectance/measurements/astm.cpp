@@ -182,9 +182,9 @@ class AstmReader {
   }
 
   std::vector<Measurement> measurements() const {
-    constexpr double RightAngle = std::numbers::pi / 2;
+    constexpr double Grazing = std::numbers::pi / 2;
     const bool in_degrees = std::any_of(rows_.begin(), rows_.end(), [](const Row& row) {
-      return std::max(std::abs(row.angles[ThetaI]), std::abs(row.angles[ThetaS])) > RightAngle + 0.01;
+      return std::max(std::abs(row.angles[ThetaI]), std::abs(row.angles[ThetaS])) > Grazing + 0.01;
     });
     const double unit = in_degrees ? std::numbers::pi / 180 : 1;
     std::vector<Measurement> list;
