@@ -51,6 +51,12 @@ constexpr std::array FreeCalls = {
     "getrandom", "getresgid", "getresuid", "getrlimit", "setrlimit", "getrusage", "getuid", "sysinfo",
     "uname"};
 
+/// A condition on an argument of a call. The macros of libseccomp for it are compound literals, which are not
+/// of C++.
+scmp_arg_cmp argument(unsigned number, scmp_compare comparison, scmp_datum_t first, scmp_datum_t second = 0) {
+  return {number, comparison, first, second};
+}
+
 bool allow(const Filter& filter, const char* name) {
   const int call = ::seccomp_syscall_resolve_name(name);
   // An architecture has some of them only, and libseccomp knows some of the newest only.
@@ -68,7 +74,7 @@ bool allow_opening(const Filter& filter, int call, unsigned flags) {
   const scmp_datum_t relevant = O_TRUNC | O_ACCMODE;
   for (const scmp_datum_t allowed : {scmp_datum_t(O_RDONLY), scmp_datum_t(O_WRONLY), scmp_datum_t(O_RDWR),
                                      scmp_datum_t(O_WRONLY | O_TRUNC), scmp_datum_t(O_RDWR | O_TRUNC)}) {
-    if (!allow(filter, call, SCMP_CMP(flags, SCMP_CMP_MASKED_EQ, relevant, allowed))) return false;
+    if (!allow(filter, call, argument(flags, SCMP_CMP_MASKED_EQ, relevant, allowed))) return false;
   }
   return true;
 }
@@ -83,26 +89,26 @@ bool allow_with_arguments(const Filter& filter) {
   // where the kernel does not have clone3.
   is_complete =
       is_complete &&
-      allow(filter, SCMP_SYS(clone), SCMP_A0(SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD)) &&
+      allow(filter, SCMP_SYS(clone), argument(0, SCMP_CMP_MASKED_EQ, CLONE_THREAD, CLONE_THREAD)) &&
       ::seccomp_rule_add_array(filter.get(), SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3), 0, nullptr) == 0;
   // Signals to itself, for abort.
   for (const int call : {SCMP_SYS(kill), SCMP_SYS(tgkill)})
-    is_complete = is_complete && allow(filter, call, SCMP_A0(SCMP_CMP_EQ, self));
+    is_complete = is_complete && allow(filter, call, argument(0, SCMP_CMP_EQ, self));
   // Whether a stream is a terminal, and its width. Other controls of a terminal could type into it.
   for (const unsigned long control :
        {static_cast<unsigned long>(TCGETS), static_cast<unsigned long>(TIOCGWINSZ)})
-    is_complete = is_complete && allow(filter, SCMP_SYS(ioctl), SCMP_A1(SCMP_CMP_EQ, control));
+    is_complete = is_complete && allow(filter, SCMP_SYS(ioctl), argument(1, SCMP_CMP_EQ, control));
   // Flags, copies and locks of descriptors. Others would choose whom signals about a descriptor go to.
   for (const int command :
        {F_GETFD, F_SETFD, F_GETFL, F_SETFL, F_DUPFD, F_DUPFD_CLOEXEC, F_GETLK, F_SETLK, F_SETLKW})
-    is_complete = is_complete &&
-                  allow(filter, SCMP_SYS(fcntl), SCMP_A1(SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
+    is_complete = is_complete && allow(filter, SCMP_SYS(fcntl),
+                                       argument(1, SCMP_CMP_EQ, static_cast<scmp_datum_t>(command)));
   // The names of threads.
   for (const int option : {PR_SET_NAME, PR_GET_NAME})
     is_complete = is_complete &&
-                  allow(filter, SCMP_SYS(prctl), SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(option)));
+                  allow(filter, SCMP_SYS(prctl), argument(0, SCMP_CMP_EQ, static_cast<scmp_datum_t>(option)));
   // Limits of this process, and not of others.
-  is_complete = is_complete && allow(filter, SCMP_SYS(prlimit64), SCMP_A0(SCMP_CMP_EQ, 0));
+  is_complete = is_complete && allow(filter, SCMP_SYS(prlimit64), argument(0, SCMP_CMP_EQ, 0));
   return is_complete;
 }
 
