@@ -1,4 +1,5 @@
 // The choice of the Render dock where final renders are made.
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QUrl>
 
@@ -14,6 +15,8 @@ QComboBox* RenderPanel::make_machines(QWidget* parent) {
                           14, parent);
   machines_->setObjectName("machines");
   machines_->insertItem(ThisMachine, tr("On this machine"));
+  machines_->view()->setAccessibleName(machines_->accessibleName());
+  machines_->view()->setToolTip(machines_->toolTip());
   machines_->hide();
   return machines_;
 }

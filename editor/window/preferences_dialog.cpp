@@ -48,8 +48,8 @@ PreferencesDialog::PreferencesDialog(ShortcutKeys& keys, QWidget* parent)
   tabs->setToolTip(tr("Pages of the preferences"));
   tabs->addTab(make_general_page(), tr("&General"));
   tabs->addTab(make_work_page(), tr("&Work"));
-  tabs->addTab(make_farm_page(), tr("&Farm"));
   tabs->addTab(make_keys_page(), tr("&Keys"));
+  tabs->addTab(make_farm_page(), tr("&Farm"));
   rows->addWidget(tabs, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   buttons->button(QDialogButtonBox::Close)->setToolTip(tr("Close: all changes are applied already"));

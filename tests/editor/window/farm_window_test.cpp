@@ -40,7 +40,7 @@ class RendersOnAFarm : public test::FarmTest {
   void choose_farm() {
     QTest::keyClick(&window_, Qt::Key_Comma, Qt::ControlModifier);
     auto& dialog = *window_.findChild<PreferencesDialog*>();
-    dialog.findChild<QTabWidget*>()->setCurrentIndex(2);
+    dialog.findChild<QTabWidget*>()->setCurrentIndex(3);
     auto& server = test::named<QLineEdit>(dialog, "Server of the farm");
     QTest::keyClicks(&server, QString::fromStdString(url_));
     QTest::keyClick(&server, Qt::Key_Return);
