@@ -1,3 +1,4 @@
+// A file of any format is read as a scene.
 #pragma once
 
 #include <optional>
@@ -8,14 +9,16 @@
 
 namespace convert {
 
+/// What to read, and how.
 struct InputOptions {
   std::string path;
   const Format* format = nullptr;  ///< null: detected from content, then from the name
   ReadOptions reading;
 };
 
+/// What was read.
 struct Input {
-  const Format* format = nullptr;
+  const Format* format = nullptr;  ///< of the file
   Import import;
 };
 

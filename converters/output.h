@@ -10,6 +10,7 @@
 
 namespace convert {
 
+/// Where to write, and how.
 struct OutputOptions {
   std::string path;
   const Format* format = nullptr;  ///< one that is written
