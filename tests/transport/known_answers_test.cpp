@@ -27,7 +27,8 @@ std::vector<std::string> scene_cases() {
   std::vector<std::string> cases;
   for (const auto* list : {&test::plain_cases(), &test::stepped_cases()}) {
     for (const std::string& text : *list) {
-      const bool is_data = text.starts_with("table") || text.starts_with("rgl");
+      const bool is_data = text.starts_with("table") || text.starts_with("rgl") || text.starts_with("utia") ||
+                           text.starts_with("measured");
       const bool is_layered = text.find(" over ") != std::string::npos;  // needs definitions
       if (text.find('+') == std::string::npos && !is_data && !is_layered) cases.push_back(text);
     }
