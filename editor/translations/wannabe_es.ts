@@ -3754,6 +3754,57 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
     </message>
 </context>
 <context>
+    <name>editor::LightController</name>
+    <message>
+        <source>The scene has no lights. Until it has one, renders use a grey sky.</source>
+        <translation>La escena no tiene luces. Hasta que tenga una, los renders usan un cielo gris.</translation>
+    </message>
+    <message>
+        <source>Add a light</source>
+        <translation>Añadir una luz</translation>
+    </message>
+    <message>
+        <source>Add an area light above the scene</source>
+        <translation>Añade una luz de área sobre la escena</translation>
+    </message>
+    <message>
+        <source>Add a studio</source>
+        <translation>Añadir un estudio</translation>
+    </message>
+    <message>
+        <source>Add a floor, a soft box and a rim light in proportion to the scene</source>
+        <translation>Añade un suelo, una ventana de luz y una luz de contorno en proporción a la escena</translation>
+    </message>
+    <message>
+        <source>The model has no lights, so a studio was added to the scene: a floor, a soft box and a rim light.</source>
+        <translation>El modelo no tiene luces, así que se ha añadido un estudio a la escena: un suelo, una ventana de luz y una luz de contorno.</translation>
+    </message>
+    <message>
+        <source>Without the studio</source>
+        <translation>Sin el estudio</translation>
+    </message>
+    <message>
+        <source>Remove the studio, and render under a grey sky</source>
+        <translation>Quita el estudio y renderiza bajo un cielo gris</translation>
+    </message>
+    <message>
+        <source>Click what the light shall shine on, or press Escape to cancel</source>
+        <translation>Haga clic en lo que la luz deba iluminar, o pulse Escape para cancelar</translation>
+    </message>
+    <message>
+        <source>Aim light</source>
+        <translation>Apuntar la luz</translation>
+    </message>
+    <message>
+        <source>Light highlight</source>
+        <translation>Iluminar un reflejo</translation>
+    </message>
+    <message>
+        <source>Click or drag where the light&apos;s reflection shall be, or press Escape to cancel</source>
+        <translation>Haga clic o arrastre donde deba estar el reflejo de la luz, o pulse Escape para cancelar</translation>
+    </message>
+</context>
+<context>
     <name>editor::LightPanel</name>
     <message>
         <source>light</source>
@@ -4049,26 +4100,6 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
         <translation>Haga clic donde deba estar el objeto, o pulse Escape para cancelar</translation>
     </message>
     <message>
-        <source>The scene has no lights. Until it has one, renders use a grey sky.</source>
-        <translation>La escena no tiene luces. Hasta que tenga una, los renders usan un cielo gris.</translation>
-    </message>
-    <message>
-        <source>Add a light</source>
-        <translation>Añadir una luz</translation>
-    </message>
-    <message>
-        <source>Add an area light above the scene</source>
-        <translation>Añade una luz de área sobre la escena</translation>
-    </message>
-    <message>
-        <source>Add a studio</source>
-        <translation>Añadir un estudio</translation>
-    </message>
-    <message>
-        <source>Add a floor, a soft box and a rim light in proportion to the scene</source>
-        <translation>Añade un suelo, una ventana de luz y una luz de contorno en proporción a la escena</translation>
-    </message>
-    <message>
         <source>Click the face to copy the surface from, or press Escape to cancel</source>
         <translation>Haga clic en la cara de la que copiar la superficie, o pulse Escape para cancelar</translation>
     </message>
@@ -4081,22 +4112,6 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
         <translation>Mensajes (%1)</translation>
     </message>
     <message>
-        <source>Click what the light shall shine on, or press Escape to cancel</source>
-        <translation>Haga clic en lo que la luz deba iluminar, o pulse Escape para cancelar</translation>
-    </message>
-    <message>
-        <source>Aim light</source>
-        <translation>Apuntar la luz</translation>
-    </message>
-    <message>
-        <source>Light highlight</source>
-        <translation>Iluminar un reflejo</translation>
-    </message>
-    <message>
-        <source>Click or drag where the light&apos;s reflection shall be, or press Escape to cancel</source>
-        <translation>Haga clic o arrastre donde deba estar el reflejo de la luz, o pulse Escape para cancelar</translation>
-    </message>
-    <message>
         <source>%1 differs from the current render settings. Saving the scene writes it, too.</source>
         <translation>%1 difiere de los ajustes de render actuales. Al guardar la escena también se escribe.</translation>
     </message>
@@ -4107,18 +4122,6 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
     <message>
         <source>Write the current render settings to the file; its comments are kept</source>
         <translation>Escribe los ajustes de render actuales en el archivo; sus comentarios se conservan</translation>
-    </message>
-    <message>
-        <source>The model has no lights, so a studio was added to the scene: a floor, a soft box and a rim light.</source>
-        <translation>El modelo no tiene luces, así que se ha añadido un estudio a la escena: un suelo, una ventana de luz y una luz de contorno.</translation>
-    </message>
-    <message>
-        <source>Without the studio</source>
-        <translation>Sin el estudio</translation>
-    </message>
-    <message>
-        <source>Remove the studio, and render under a grey sky</source>
-        <translation>Quita el estudio y renderiza bajo un cielo gris</translation>
     </message>
     <message>
         <source>Another program has changed %1.</source>

@@ -38,6 +38,7 @@
 #include "editor/window/file_actions.h"
 #include "editor/window/image_controller.h"
 #include "editor/window/job_panel.h"
+#include "editor/window/light_controller.h"
 #include "editor/window/material_actions.h"
 #include "editor/window/mesh_actions.h"
 #include "editor/window/object_actions.h"
@@ -82,6 +83,8 @@ MainWindow::MainWindow(const QString& sessions, QWidget* parent)
   selection_actions_ = new SelectionActions(document_, *view_, *this);
   visibility_actions_ = new VisibilityActions(document_, *view_, *this);
   object_actions_ = new ObjectActions(document_, *view_, *this);
+  light_controller_ =
+      new LightController(document_, *lights_, *view_controller_, *object_actions_, *notice_, this);
   material_actions_ = new MaterialActions(document_, *this);
   mesh_actions_ = new MeshActions(document_, jobs_, *this);
   effects_ = new EffectsController(document_, *render_, *pages_, *this);
@@ -219,10 +222,7 @@ void MainWindow::connect_files() {
     const std::size_t count = jobs_.jobs().size();
     docks_.action_of(job_dock_)->setText(count == 0 ? tr("Jobs") : tr("Jobs (%1)").arg(count));
   });
-  connect(&document_, &Document::scene_replaced, this, [this] {
-    pages_->setCurrentIndex(0);
-    refuses_studio_ = false;
-  });
+  connect(&document_, &Document::scene_replaced, this, [this] { pages_->setCurrentIndex(0); });
   connect(&document_, &Document::path_changed, this, &MainWindow::show_title);
   connect(&document_, &Document::status_message, this, &MainWindow::show_status);
   connect(&document_, &Document::modified_changed, this, &MainWindow::show_title);
@@ -243,14 +243,6 @@ void MainWindow::connect_panels() {
       view_actions_->set_mode(DisplayMode::Textured);
   });
   connect(brdf_controller_, &BrdfController::failed, this, &MainWindow::fail);
-  connect(&document_, &Document::scene_has_no_lights, this, [this] {
-    notice_->show_notice(
-        NoticeBar::Kind::Information,
-        tr("The scene has no lights. Until it has one, renders use a grey sky."),
-        {{tr("Add a light"), tr("Add an area light above the scene"), [this] { lights_->add(); }},
-         {tr("Add a studio"), tr("Add a floor, a soft box and a rim light in proportion to the scene"),
-          [this] { object_actions_->add_studio(); }}});
-  });
   connect(tree_, &SceneTree::chosen, this, [this](const grf::ScenePath& path) { lights_->choose(path); });
   connect(lights_, &LightPanel::chosen, this, [this](const grf::ScenePath& path) { tree_->choose(path); });
   connect(surface_, &SurfacePanel::brdf_edit_requested, this, [this] {
@@ -261,8 +253,6 @@ void MainWindow::connect_panels() {
     view_controller_->pick({tr("Click the face to copy the surface from, or press Escape to cancel"),
                             [this](const SurfacePoint& point) { surface_->take_from(point.face); }});
   });
-  connect(lights_, &LightPanel::aim_requested, this, &MainWindow::aim_light);
-  connect(lights_, &LightPanel::highlight_requested, this, &MainWindow::light_highlight);
   connect(cameras_, &CameraPanel::focus_requested, this, [this] {
     view_controller_->pick({tr("Click what the camera shall focus on, or press Escape to cancel"),
                             [this](const SurfacePoint& point) { cameras_->focus_on(point.position); }});
@@ -324,32 +314,6 @@ void MainWindow::connect_actions() {
   connect(effects_, &EffectsController::status_message, this, &MainWindow::show_status);
 }
 
-void MainWindow::aim_light() {
-  view_controller_->pick({tr("Click what the light shall shine on, or press Escape to cancel"),
-                          [this](const SurfacePoint& point) {
-                            std::optional<Lamp> lamp = lights_->lamp();
-                            if (!lamp) return;
-                            aim(*lamp, point.position);
-                            lights_->change_lamp(*lamp, tr("Aim light"));
-                          }});
-}
-
-void MainWindow::light_highlight() {
-  // The distance from the first point of a drag is kept.
-  const auto distance = std::make_shared<std::optional<double>>();
-  const auto picked = [this, distance](const SurfacePoint& point) {
-    std::optional<Lamp> lamp = lights_->lamp();
-    // A mesh light reflects nothing; it may be the lamp itself.
-    if (!lamp || document_.objects().meshes[point.face.mesh].is_light) return;
-    if (!*distance) *distance = (lamp->centre - point.position).length();
-    editor::light_highlight(*lamp, point.position, point.normal, point.view_direction, **distance);
-    lights_->change_lamp(*lamp, tr("Light highlight"), "light highlight");
-  };
-  view_controller_->pick(
-      {tr("Click or drag where the light's reflection shall be, or press Escape to cancel"), picked,
-       [this] { document_.finish_gesture(); }, true});
-}
-
 void MainWindow::connect_renders() {
   // Starting a render shows its dock.
   const auto show_render = [this] { Docks::show(render_dock_); };
@@ -358,7 +322,7 @@ void MainWindow::connect_renders() {
                                 render_->effects_action(), render_->animation_action()}) {
     connect(action, &QAction::triggered, this, show_render);
   }
-  connect(render_, &RenderPanel::preview_starting, this, &MainWindow::light_first_preview);
+  connect(render_, &RenderPanel::preview_starting, light_controller_, &LightController::light_first_preview);
   connect(render_, &RenderPanel::op_file_differs, this, [this](const QString& path) {
     notice_->show_notice(
         NoticeBar::Kind::Information,
@@ -372,28 +336,6 @@ void MainWindow::connect_renders() {
             }
           }}});
   });
-}
-
-/// A model from elsewhere has no lights, and a grey shape under a grey sky is no picture to judge materials
-/// by.
-void MainWindow::light_first_preview() {
-  if (!document_.has_plain_sky() || !document_.path().isEmpty() || refuses_studio_) return;
-  object_actions_->add_studio();
-  const int step = document_.undo_stack().index();
-  notice_->show_notice(
-      NoticeBar::Kind::Information,
-      tr("The model has no lights, so a studio was added to the scene: a floor, a soft box and a rim light."),
-      {{tr("Without the studio"), tr("Remove the studio, and render under a grey sky"), [this, step] {
-          refuses_studio_ = true;
-          if (document_.undo_stack().index() == step) document_.undo_stack().undo();
-        }}});
-  // What is edited afterwards is not undone with the studio.
-  connect(
-      &document_.undo_stack(), &QUndoStack::indexChanged, notice_,
-      [this, text = notice_->text()] {
-        if (notice_->text() == text) notice_->hide();
-      },
-      Qt::SingleShotConnection);
 }
 
 void MainWindow::show_scene() {

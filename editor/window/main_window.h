@@ -26,6 +26,7 @@ class EnvironmentStore;
 class FileActions;
 class ImageBrowser;
 class ImageController;
+class LightController;
 class LightPanel;
 class MeshActions;
 class MaterialActions;
@@ -107,9 +108,6 @@ class MainWindow : public QMainWindow {
   void connect_environment();
   void connect_actions();
   void connect_renders();
-  void light_first_preview();
-  void aim_light();
-  void light_highlight();
   void show_title();
   void show_status(const QString& message);
   void fail(const QString& message);
@@ -162,6 +160,7 @@ class MainWindow : public QMainWindow {
   SelectionActions* selection_actions_ = nullptr;
   VisibilityActions* visibility_actions_ = nullptr;
   ObjectActions* object_actions_ = nullptr;
+  LightController* light_controller_ = nullptr;
   MaterialActions* material_actions_ = nullptr;
   MeshActions* mesh_actions_ = nullptr;
   BakeController* bake_;
@@ -171,7 +170,6 @@ class MainWindow : public QMainWindow {
   EffectsController* effects_ = nullptr;
   WelcomeController* welcome_ = nullptr;
   std::unique_ptr<ShortcutKeys> keys_;  ///< of the menus
-  bool refuses_studio_ = false;         ///< for the model that was imported
   QMenu* image_menu_ = nullptr;         ///< shown once there are images
 };
 
