@@ -19,18 +19,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "confinement/address_space.h"
+
 namespace convert {
 namespace {
 
 using grf::ExitCode;
 using Clock = std::chrono::steady_clock;
-
-// Sanitizers reserve terabytes of address space, most of it unused.
-#ifdef GRANADA_HAS_SANITIZERS
-constexpr bool LimitsMemory = false;
-#else
-constexpr bool LimitsMemory = true;
-#endif
 
 /// A child's exit code after a failed allocation, different from all ExitCodes.
 constexpr int OutOfMemoryCode = 3;
@@ -119,7 +114,7 @@ struct Child {
 void limit_resources(const Limits& limits) {
   const rlimit none = {0, 0};
   ::setrlimit(RLIMIT_CORE, &none);
-  if (LimitsMemory && limits.memory > 0) {
+  if (confinement::CanLimitAddressSpace && limits.memory > 0) {
     const rlimit memory = {limits.memory, limits.memory};
     ::setrlimit(RLIMIT_AS, &memory);
   }

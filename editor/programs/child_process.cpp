@@ -6,15 +6,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "confinement/address_space.h"
+
 namespace editor {
 namespace {
-
-// Sanitizers reserve terabytes of address space, most of which is never touched.
-#ifdef GRANADA_HAS_SANITIZERS
-constexpr bool LimitsMemory = false;
-#else
-constexpr bool LimitsMemory = true;
-#endif
 
 /// Runs in the child before the program starts.
 void prepare_child(const ChildSettings& settings) {
@@ -27,7 +22,7 @@ void prepare_child(const ChildSettings& settings) {
   if (settings.memory == 0) return;
   const rlimit memory = {settings.memory, settings.memory};
   ::setrlimit(RLIMIT_FSIZE, &memory);
-  if (LimitsMemory) ::setrlimit(RLIMIT_AS, &memory);
+  if (confinement::CanLimitAddressSpace) ::setrlimit(RLIMIT_AS, &memory);
 }
 
 }  // namespace

@@ -23,17 +23,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "confinement/address_space.h"
 #include "renderer/image/decoded_image.h"
 
 namespace command {
 namespace {
-
-// Sanitizers reserve terabytes of address space.
-#ifdef GRANADA_HAS_SANITIZERS
-constexpr bool LimitsMemory = false;
-#else
-constexpr bool LimitsMemory = true;
-#endif
 
 /// A file in memory that a process writes to, mapped once the process has ended.
 class MemoryFile {
@@ -95,7 +89,7 @@ class ChildProcess {
   void limit_memory(std::uint64_t bytes) const {
     const rlimit memory = {bytes, bytes};
     ::prlimit(process_, RLIMIT_FSIZE, &memory, nullptr);
-    if (LimitsMemory) ::prlimit(process_, RLIMIT_AS, &memory, nullptr);
+    if (confinement::CanLimitAddressSpace) ::prlimit(process_, RLIMIT_AS, &memory, nullptr);
     const rlimit none = {0, 0};
     ::prlimit(process_, RLIMIT_CORE, &none, nullptr);
   }
