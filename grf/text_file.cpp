@@ -47,8 +47,9 @@ std::string reason() { return std::generic_category().message(errno); }
 /// its user.
 std::string reason_of_reading(const std::string& path) {
   const std::string usual = reason();
-  return errno == EACCES && ::access(path.c_str(), R_OK) == 0 ? "it is outside of the folders that are read"
-                                                              : usual;
+  return errno == EACCES && ::faccessat(AT_FDCWD, path.c_str(), R_OK, AT_EACCESS) == 0
+             ? "it is outside of the folders that are read"
+             : usual;
 }
 
 std::string what_it_is(const struct stat& status) {
