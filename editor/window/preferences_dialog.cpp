@@ -139,7 +139,7 @@ QWidget* PreferencesDialog::make_work_page() {
   return page;
 }
 
-void PreferencesDialog::add_file(QFormLayout& form, const QString& label, const QString& name,
+void PreferencesDialog::add_text(QFormLayout& form, const QString& label, const QString& name,
                                  const QString& tip, QString FarmAccess::*field) {
   auto* text = new QLineEdit(preferences_.farm.*field, this);
   text->setAccessibleName(name);
@@ -156,22 +156,22 @@ void PreferencesDialog::add_file(QFormLayout& form, const QString& label, const 
 QWidget* PreferencesDialog::make_farm_page() {
   auto* page = new QWidget(this);
   QFormLayout* form = form_on(page);
-  add_file(
+  add_text(
       *form, tr("&Server"), tr("Server of the farm"),
       tr("URL of the render farm's server, as printed by `bpt farm serve`: nats://HOST:4222. The Render dock "
          "can then render there. Empty: no farm."),
       &FarmAccess::server);
-  add_file(*form, tr("T&oken file"), tr("Token file"),
+  add_text(*form, tr("T&oken file"), tr("Token file"),
            tr("File with the secret token of the server; empty: the server asks for none."),
            &FarmAccess::token_file);
-  add_file(
+  add_text(
       *form, tr("C&A certificates"), tr("CA certificates"),
       tr("File (PEM) with the certificates of the authority that signed the server's certificate, for TLS."),
       &FarmAccess::authority_file);
-  add_file(*form, tr("Own &certificate"), tr("Own certificate"),
+  add_text(*form, tr("Own &certificate"), tr("Own certificate"),
            tr("File (PEM) with the own certificate, for servers that ask for one."),
            &FarmAccess::certificate_file);
-  add_file(*form, tr("&Private key"), tr("Private key"),
+  add_text(*form, tr("&Private key"), tr("Private key"),
            tr("File (PEM) with the key of the own certificate."), &FarmAccess::key_file);
   return page;
 }

@@ -41,7 +41,7 @@ class PreferencesDialog : public QDialog {
   QComboBox* add_list(QFormLayout& form, const QString& label, const QString& name, const QString& tip,
                       const std::vector<std::pair<QString, QString>>& choices, const QString& now,
                       const std::function<void(const QString& choice)>& take);
-  void add_file(QFormLayout& form, const QString& label, const QString& name, const QString& tip,
+  void add_text(QFormLayout& form, const QString& label, const QString& name, const QString& tip,
                 QString FarmAccess::*field);
   void add_number(QFormLayout& form, const QString& label, const QString& name, const QString& tip, int least,
                   int most, const QString& unit, int Preferences::*field);
