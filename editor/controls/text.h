@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDir>
 #include <QString>
 #include <string_view>
 
@@ -15,6 +16,13 @@ inline QString text_of(std::string_view text) {
 /// Formats the messages, one per line, without a trailing line end.
 inline QString text_of(const grf::Diagnostics& diagnostics) {
   return QString::fromStdString(diagnostics.to_text()).trimmed();
+}
+
+/// Formats a path for reading, with the user's home folder as `~`.
+inline QString path_text(const QString& path) {
+  const QString home = QDir::homePath();
+  const bool is_below = path == home || path.startsWith(home + '/');
+  return QDir::toNativeSeparators(is_below ? '~' + path.mid(home.size()) : path);
 }
 
 }  // namespace editor

@@ -9020,10 +9020,6 @@ La versión anterior se sigue mostrando.</translation>
         <translation>Archivos recientes, escenas de ejemplo y lecciones</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation>Abrir</translation>
-    </message>
-    <message>
         <source>Welcome</source>
         <translation>Bienvenida</translation>
     </message>

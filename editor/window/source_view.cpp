@@ -14,6 +14,7 @@
 
 #include "editor/appearance/theme.h"
 #include "editor/controls/form_widgets.h"
+#include "editor/controls/text.h"
 #include "editor/window/source_text.h"
 
 namespace editor {
@@ -34,12 +35,6 @@ QString note_of(const SourceExcerpt& excerpt) {
         SourceView::tr("Lines with more than %1 characters are shown in part.").arg(number(ExcerptColumns)));
   }
   return parts.join(' ');
-}
-
-/// Abbreviates the user's home folder as `~`.
-QString path_text(const QString& path) {
-  const QString home = QDir::homePath() + '/';
-  return QDir::toNativeSeparators(path.startsWith(home) ? "~/" + path.mid(home.size()) : path);
 }
 
 QLabel* make_hint() {

@@ -14,6 +14,7 @@
 
 #include "editor/appearance/icons.h"
 #include "editor/controls/form_widgets.h"
+#include "editor/controls/text.h"
 
 namespace editor {
 namespace {
@@ -41,13 +42,6 @@ QCommandLinkButton* link(const QString& text, const QString& description, const 
   button->setIcon(icon("open"));
   button->setIconSize({2 * Grid, 2 * Grid});
   return button;
-}
-
-/// A path with the home folder as a tilde.
-QString short_path(const QString& path) {
-  const QString home = QDir::homePath();
-  const bool is_below = path == home || path.startsWith(home + '/');
-  return QDir::toNativeSeparators(is_below ? '~' + path.mid(home.size()) : path);
 }
 
 /// The middle of a picture, in the proportions of the others.
@@ -162,7 +156,7 @@ void WelcomePage::show_recent(const QStringList& files) {
   }
   for (const QString& file : files.mid(0, MostRecent)) {
     const QFileInfo info(file);
-    const QString folder = short_path(info.absolutePath());
+    const QString folder = path_text(info.absolutePath());
     QCommandLinkButton* button =
         link(info.fileName(), folder, tr("Open %1").arg(file), recent_->parentWidget());
     button->setEnabled(info.exists());
