@@ -118,19 +118,7 @@ class Author {
     // What is there already would be asked about.
     for (const char* ending : {".grf", ".op"}) QFile::remove(QDir(folder_).filePath(name + ending));
     {
-      QTimer timer;  // types into the dialog
-      timer.callOnTimeout([file] {
-        const auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        auto* field = dialog == nullptr ? nullptr : dialog->findChild<QLineEdit*>("fileNameEdit");
-        if (field == nullptr) return;
-        if (field->text() == file) {
-          QTest::keyClick(field, Qt::Key_Return);
-        } else {
-          field->selectAll();
-          QTest::keyClicks(field, file);
-        }
-      });
-      timer.start(50);
+      const test::FileTyping typing(file);
       QTest::keyClick(&window_, Qt::Key_S, Qt::ControlModifier);
     }
     step("`Ctrl+S`, type `" + name + "`, `Return`");

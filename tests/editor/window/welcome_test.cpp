@@ -240,19 +240,7 @@ TEST_F(Welcome, TeachesToRenderToAnError) {
   expect_menu_marked("File");
   EXPECT_EQ(guide().step(), 0);
   {
-    QTimer typing;  // replaces the name that the dialog proposes
-    typing.callOnTimeout([file = path("mine.grf")] {
-      const auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      auto* name = dialog == nullptr ? nullptr : dialog->findChild<QLineEdit*>("fileNameEdit");
-      if (name == nullptr) return;
-      if (name->text() == file) {
-        QTest::keyClick(name, Qt::Key_Return);
-      } else {
-        name->selectAll();
-        QTest::keyClicks(name, file);
-      }
-    });
-    typing.start(50);
+    const test::FileTyping typing(path("mine.grf"));
     QTest::keyClick(&window_, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
   }
   expect_step(1);

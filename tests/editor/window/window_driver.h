@@ -70,7 +70,8 @@ inline void drag(QWidget& widget, QPoint from, QPoint to, Qt::KeyboardModifiers 
   QTest::mouseRelease(&widget, Qt::LeftButton, modifiers, to);
 }
 
-/// Types a file name into the next dialog, and waits until it is closed.
+/// Types a file name into the next dialog, in place of the one that it proposes, and waits until it is
+/// closed. An empty name accepts the proposal.
 class FileTyping {
  public:
   explicit FileTyping(const QString& file) {
@@ -79,10 +80,11 @@ class FileTyping {
       auto* name = dialog == nullptr ? nullptr : dialog->findChild<QLineEdit*>("fileNameEdit");
       if (name == nullptr) return;
       // The first Return may only close the list of names that fit.
-      if (name->text().isEmpty()) {
-        QTest::keyClicks(name, file);
-      } else {
+      if (file.isEmpty() || name->text() == file) {
         QTest::keyClick(name, Qt::Key_Return);
+      } else {
+        name->selectAll();
+        QTest::keyClicks(name, file);
       }
     });
     timer_.start(50);
