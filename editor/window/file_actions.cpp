@@ -94,10 +94,9 @@ void FileActions::make_actions() {
                           const QString& tip, const std::function<void()>& action) {
     actions_.append(new_action(window_, {text, icon_name, keys, tip}, action));
   };
-  add(tr("&New"), "new", QKeySequence::New, tr("Start an empty scene"),
-      [this] { leave([this] { document_.clear(); }); });
+  add(tr("&New"), "new", QKeySequence::New, tr("Start an empty scene"), [this] { start_new(); });
   add(tr("&Open..."), "open", QKeySequence::Open, tr("Open scenes, or import models of other formats"),
-      [this] { open(ask_for_scenes_or_models(window_, tr("Open")), AskOptions::UnlessHidden); });
+      [this] { ask_and_open(); });
   add(tr("A&ppend..."), {}, QKeySequence("Ctrl+Shift+O"), tr("Append scenes or models to this one"),
       [this] { merge(ask_for_scenes_or_models(window_, tr("Append")), AskOptions::UnlessHidden); });
   add(tr("Append with op&tions..."), {}, QKeySequence("Ctrl+Alt+I"),
@@ -135,6 +134,14 @@ void FileActions::fill(QMenu& menu) {
                              QKeySequence("Ctrl+Alt+M"),
                              tr("Set how much memory the import of a model may use")},
                             [this] { ask_memory_limit(); }));
+}
+
+void FileActions::start_new() {
+  leave([this] { document_.clear(); });
+}
+
+void FileActions::ask_and_open() {
+  open(ask_for_scenes_or_models(window_, tr("Open")), AskOptions::UnlessHidden);
 }
 
 void FileActions::ask_memory_limit() {

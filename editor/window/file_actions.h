@@ -47,6 +47,10 @@ class FileActions : public QObject {
   /// Adds the entries of the File menu, in order.
   void fill(QMenu& menu);
 
+  /// Starts an empty scene; asks first if there are unsaved changes.
+  void start_new();
+  /// Asks for files, and opens them.
+  void ask_and_open();
   /// Opens or imports the first file, and appends the others in one undo step; asks first if there are
   /// unsaved changes. Of several models of one type the options are asked for once.
   void open(const QStringList& files, AskOptions asks = AskOptions::Never);

@@ -19,8 +19,7 @@ WelcomeController::WelcomeController(MainWindow& window, Pages& pages, const QSt
       pages_(pages),
       samples_(samples),
       action_(new_action(window, {tr("&Welcome"), {}, {}, tr("Recent files, sample scenes and lessons")},
-                         [this] { show_page(); })),
-      lessons_(lessons()) {
+                         [this] { show_page(); })) {
   connect(&window.document(), &Document::scene_replaced, this, [this] {
     close_page();
     begin_lesson();
@@ -29,13 +28,10 @@ WelcomeController::WelcomeController(MainWindow& window, Pages& pages, const QSt
 
 void WelcomeController::show_page() {
   if (!page_) {
-    page_ = new WelcomePage(sample_scenes(samples_), lessons_, &pages_);
+    page_ = new WelcomePage(sample_scenes(samples_), lessons(), &pages_);
     page_->set_shown_at_start(Preferences::load().shows_welcome);
-    connect(page_, &WelcomePage::new_requested, this,
-            [this] { window_.files().leave([this] { window_.document().clear(); }); });
-    connect(page_, &WelcomePage::open_requested, this, [this] {
-      window_.files().open(ask_for_scenes_or_models(window_, tr("Open")), AskOptions::UnlessHidden);
-    });
+    connect(page_, &WelcomePage::new_requested, &window_.files(), &FileActions::start_new);
+    connect(page_, &WelcomePage::open_requested, &window_.files(), &FileActions::ask_and_open);
     connect(page_, &WelcomePage::file_chosen, this,
             [this](const QString& file) { window_.files().open(file); });
     connect(page_, &WelcomePage::lesson_chosen, this, &WelcomeController::start_lesson);
@@ -54,22 +50,22 @@ void WelcomeController::close_page() {
 }
 
 void WelcomeController::start_lesson(int lesson) {
-  lesson_ = static_cast<std::size_t>(lesson);
-  const bool is_empty = window_.document().objects().meshes.empty();
-  const std::vector<SampleScene> samples = sample_scenes(samples_);
-  // Without samples, the lesson is about what the user opens meanwhile.
-  if (lessons_[*lesson_].needs_scene && is_empty && !samples.empty())
-    return window_.files().open(samples.front().file);
+  next_ = lessons().at(static_cast<std::size_t>(lesson));
+  if (next_->needs_scene && window_.document().objects().meshes.empty()) {
+    const std::vector<SampleScene> samples = sample_scenes(samples_);
+    // Without samples, the lesson is about what the user opens meanwhile.
+    if (!samples.empty()) return window_.files().open(samples.front().file);
+  }
   close_page();
   begin_lesson();
 }
 
 void WelcomeController::begin_lesson() {
-  if (!lesson_) return;
+  if (!next_) return;
   window_.show_scene();
   if (guide_ == nullptr) guide_ = new LessonGuide(window_);
-  guide_->start(lessons_[*lesson_]);
-  lesson_.reset();
+  guide_->start(*next_);
+  next_.reset();
 }
 
 }  // namespace editor

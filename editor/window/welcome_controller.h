@@ -4,7 +4,6 @@
 #include <QPointer>
 #include <QString>
 #include <optional>
-#include <vector>
 
 #include "editor/window/lesson.h"
 
@@ -44,8 +43,7 @@ class WelcomeController : public QObject {
   QAction* action_;
   QPointer<WelcomePage> page_;
   LessonGuide* guide_ = nullptr;
-  const std::vector<Lesson> lessons_;
-  std::optional<std::size_t> lesson_;  ///< which begins once its scene is there
+  std::optional<Lesson> next_;  ///< begins once its scene is there
 };
 
 }  // namespace editor
