@@ -52,19 +52,6 @@ TEST_F(Farm, GoesOnWhenWorkersAreKilled) {
   }
 }
 
-TEST_F(Farm, TakesPartsOfWorkersThatComeBackLate) {
-  const Process server = serve();
-  Process rendering = render(scene_);
-  const Process sleeper = work();
-  ASSERT_TRUE(test::wait_until([&] { return has_parts(rendering, 1); })) << rendering.output();
-  sleeper.send(SIGSTOP);
-  std::this_thread::sleep_for(std::chrono::milliseconds(1500));  // beyond the lease
-  const Process other = work();
-  ASSERT_TRUE(other.wait_for("joined")) << other.output();
-  sleeper.send(SIGCONT);
-  expect_image(rendering);
-}
-
 TEST_F(Farm, OutlivesItsServer) {
   std::optional<Process> server = serve();
   Process rendering = render(scene_);
@@ -97,6 +84,19 @@ class FarmOfALongImage : public test::FarmOfSceneTest {
  protected:
   FarmOfALongImage() : FarmOfSceneTest(2000) {}
 };
+
+TEST_F(FarmOfALongImage, TakesPartsOfWorkersThatComeBackLate) {
+  const Process server = serve();
+  Process rendering = render(scene_);
+  const Process sleeper = work();
+  ASSERT_TRUE(test::wait_until([&] { return has_parts(rendering, 1); })) << rendering.output();
+  sleeper.send(SIGSTOP);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));  // beyond the lease
+  const Process other = work();
+  ASSERT_TRUE(other.wait_for("joined")) << other.output();
+  sleeper.send(SIGCONT);
+  expect_image(rendering);
+}
 
 TEST_F(FarmOfALongImage, ResumesFromTheLedgerOfACoordinatorThatWasKilled) {
   const Process server = serve();
