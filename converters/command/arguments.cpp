@@ -120,6 +120,10 @@ void define_conversion(CLI::App& app, Arguments& arguments) {
          "Mitsuba scene, or the cameras of a glTF scene; or give the OP file as the input, which names "
          "its scene")
       ->check(CLI::ExistingFile);
+  app.add_option("--report", arguments.report,
+                 "Page on what is kept and lost: small pictures of the input and of what comes back from the "
+                 "output, their difference, and that of each surface's BRDF")
+      ->type_name("PAGE.html|PAGE.md");
   app.add_flag("--flatten", arguments.flat, "Expand included files and BRDF files into one GRF file");
   app.add_flag("--grf2008", arguments.grf2008, "Write GRF in its grammar of 2008, without extensions");
   add_input_options(app, arguments);
@@ -285,6 +289,10 @@ std::optional<BatchOptions> batch_options(const Arguments& arguments) {
     if (problem.empty()) problem = set_subdivision(arguments.subdivide, options.each.operations);
     if (problem.empty()) problem = set_normals(arguments.normals, options.each.operations);
   }
+  if (problem.empty() && !arguments.report.empty() && arguments.inputs.size() > 1)
+    problem = "--report is for one input file";
+  if (problem.empty() && !arguments.report.empty() && arguments.dry_run)
+    problem = "--report is about the written file, and --dry-run writes none";
   if (problem.empty()) options.each.placement = placement_of(arguments, problem);
   if (!problem.empty()) {
     bad_command_line(problem);
@@ -303,6 +311,7 @@ std::optional<BatchOptions> batch_options(const Arguments& arguments) {
   options.each.grf2008 = arguments.grf2008;
   options.each.only = arguments.only;
   options.each.writing.op_file = arguments.op_file;
+  options.each.report = arguments.report;
   options.each.operations.weld = arguments.weld;
   options.each.operations.smooth = arguments.smooth;
   options.each.operations.triangulate = arguments.triangulate;

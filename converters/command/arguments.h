@@ -26,6 +26,7 @@ struct Arguments {
   std::string subdivide;
   std::string transform;
   std::string op_file;
+  std::string report;
   std::string up = "y";
   std::string unit = "m";
   std::vector<std::string> only;

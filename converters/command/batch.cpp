@@ -146,12 +146,15 @@ ExitCode convert_files(const BatchOptions& options) {
     for (std::string& path : confinement::paths_around(options.each.writing.op_file))
       work.limits.readable.push_back(std::move(path));
   }
-  std::optional<grf::ShortLivedFolder> dry_run_folder;
-  if (options.dry_run) dry_run_folder.emplace("grfconvert");
+  const bool has_report = !options.each.report.empty();
+  std::optional<grf::ShortLivedFolder> folder;
+  if (options.dry_run || has_report) folder.emplace("grfconvert");
   for (ConvertOptions& conversion : conversions) {
-    if (dry_run_folder) conversion.dry_run_folder = dry_run_folder->path().string();
+    if (options.dry_run) conversion.dry_run_folder = folder->path().string();
+    if (has_report) conversion.report_folder = folder->path().string();
     work.outputs.push_back(written_path(conversion));
   }
+  if (has_report) work.other_outputs = {options.each.report, (folder->path() / "scene.grf").string()};
   work.work = [&](std::size_t file) { return convert_file(conversions[file]); };
   work.before_errors = [&](const FileWork::Result&) { report.clear(); };
   work.done = [&](const FileWork::Result& result) { report.add(result); };

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "converters/command/conversion_report.h"
 #include "converters/mesh_operations/scene_placement.h"
 #include "converters/output.h"
 #include "converters/scene_building.h"
@@ -170,6 +171,22 @@ void place_cameras(const std::vector<grf::TransformStep>& steps, std::vector<opt
   }
 }
 
+/// Writes the page of `--report` and its pictures, and adds their paths; false after an error.
+bool report_conversion(const grf::Scene& scene, const ConvertOptions& given, const ConvertOptions& options,
+                       std::vector<std::string>& paths, grf::Diagnostics& diagnostics) {
+  ConversionReport report;
+  report.page = options.report;
+  report.folder = options.report_folder;
+  report.input = given.input.path;
+  report.output = options.output;
+  report.format = output_format(options);
+  report.op_file = options.writing.op_file;
+  report.losses = diagnostics.losses();
+  const auto written = write_report(report, scene, diagnostics);
+  if (written) paths.insert(paths.end(), written->begin(), written->end());
+  return written.has_value();
+}
+
 struct Counts {
   std::size_t meshes = 0;
   std::size_t faces = 0;
@@ -240,6 +257,9 @@ std::string problem_of(const ConvertOptions& options) {
     return fmt::format("an OP file cannot become {}; the formats that take one are {}", format->name,
                        formats_with(&Format::write_view));
   }
+  if (!options.report.empty() && !is_report_page(options.report)) {
+    return fmt::format("--report '{}': the name of a page ends in .html or .md", options.report);
+  }
   if (is_op_file(options.output) && format->name != "grf") {
     return fmt::format("an OP file renders a GRF file, and this is {}", format->name);
   }
@@ -281,6 +301,8 @@ ExitCode convert_file(const ConvertOptions& given) {
       files->paths.push_back(op_output);
       if (!write_op_file(op_output, options.output, cameras, diagnostics)) files.reset();
     }
+    const bool is_reported = files && !options.report.empty();
+    if (is_reported && !report_conversion(scene, given, options, files->paths, diagnostics)) files.reset();
   }
   print(diagnostics, options.quiet);
   if (!files) return ExitCode::BadInput;

@@ -20,6 +20,8 @@ struct ConvertOptions {
   std::vector<grf::TransformStep> placement;  ///< transform of the whole scene
   WriteOptions writing;
   std::string dry_run_folder;  ///< write there, only to find problems; empty: write the output
+  std::string report;          ///< path of a page on the conversion; empty: none
+  std::string report_folder;   ///< an empty folder for what the page's pictures are made from
   bool quiet = false;
   bool json = false;
 };

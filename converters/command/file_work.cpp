@@ -41,16 +41,28 @@ std::string folder_of(const std::string& path) {
   return std::filesystem::path(grf::canonical_path(path)).parent_path().string();
 }
 
-/// Returns what the child for a file may use: what is around its input, and around its output what it might
+/// Removes what killed processes have left in the folders of outputs.
+void remove_what_is_left(const FileWork& work, const std::vector<pid_t>& processes) {
+  std::set<std::string> folders;
+  for (const std::string& output : work.outputs) folders.insert(folder_of(output));
+  for (const std::string& output : work.other_outputs) folders.insert(folder_of(output));
+  for (const pid_t process : processes) {
+    for (const std::string& folder : folders) grf::remove_temporary_files(folder, process);
+  }
+}
+
+/// Returns what the child for a file may use: what is around its input, and around its outputs what it might
 /// replace. The shared libraries are loaded by now.
 confinement::Policy policy_for(const FileWork& work, std::size_t file) {
   confinement::Policy policy;
   policy.readable = confinement::paths_around(work.inputs[file]);
   policy.readable.insert(policy.readable.end(), work.limits.readable.begin(), work.limits.readable.end());
-  if (work.outputs.empty()) return policy;
-  const std::string& output = work.outputs[file];
-  for (std::string& path : confinement::paths_beside(output)) policy.readable.push_back(std::move(path));
-  policy.writable.push_back(folder_of(output));
+  std::vector<std::string> outputs = work.other_outputs;
+  if (!work.outputs.empty()) outputs.push_back(work.outputs[file]);
+  for (const std::string& output : outputs) {
+    for (std::string& path : confinement::paths_beside(output)) policy.readable.push_back(std::move(path));
+    policy.writable.push_back(folder_of(output));
+  }
   return policy;
 }
 
@@ -81,19 +93,14 @@ ExitCode run(const FileWork& work) {
       grf::Diagnostics diagnostics;
       diagnostics.error(grf::whole_file(work.inputs[file]), reason_of_failure(child_exit, work.limits));
       print(diagnostics, true);
-      if (!work.outputs.empty())
-        grf::remove_temporary_files(folder_of(work.outputs[file]), child_exit.process);
+      remove_what_is_left(work, {child_exit.process});
     }
     if (result.code != ExitCode::Done) code = jobs.count == 1 ? result.code : ExitCode::BadInput;
     work.done(result);
   };
   std::vector<pid_t> left;
   if (run_supervised(jobs, work.limits, left)) return code;
-  std::set<std::string> folders;
-  for (const std::string& output : work.outputs) folders.insert(folder_of(output));
-  for (const pid_t process : left) {
-    for (const std::string& folder : folders) grf::remove_temporary_files(folder, process);
-  }
+  remove_what_is_left(work, left);
   return ExitCode::Interrupted;
 }
 

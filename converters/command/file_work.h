@@ -15,6 +15,8 @@ namespace convert {
 struct FileWork {
   std::vector<std::string> inputs;
   std::vector<std::string> outputs;  ///< one per input, or empty if nothing is written
+  /// Files that the work for any input writes besides, with others in their folders.
+  std::vector<std::string> other_outputs;
   std::size_t at_once = 1;
   Limits limits;
 

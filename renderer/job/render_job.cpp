@@ -218,11 +218,12 @@ bool has_geometry(const CompiledScene& scene, const RenderOptions& render_option
   return false;
 }
 
-std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnostics& diagnostics,
-                                    const std::optional<transport::SchemeOverride>& scheme) {
-  auto compile_settings = compile_settings_of(render_options, diagnostics);
-  if (compile_settings && !compile_settings->scheme) compile_settings->scheme = scheme;
-  auto scene = read_scene(render_options, diagnostics);
+namespace {
+
+/// Makes the job of a scene and settings, either of which may be missing after an error.
+std::optional<RenderJob> job_of(std::optional<grf::Scene> scene,
+                                const std::optional<transport::CompileSettings>& compile_settings,
+                                const RenderOptions& render_options, Diagnostics& diagnostics) {
   std::optional<RenderPlan> planned;
   if (scene && compile_settings)
     planned = render_plan(*scene, *compile_settings, render_options, diagnostics);
@@ -231,11 +232,27 @@ std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnos
     load_environment(render_options, unused, diagnostics);  // to report all errors at once
     return std::nullopt;
   }
-  auto compiled = transport::compile(std::move(*scene), diagnostics, planned->compile_settings);
+  auto compiled = transport::compile(*std::move(scene), diagnostics, planned->compile_settings);
   const bool is_not_empty = compiled && has_geometry(*compiled, render_options, diagnostics);
   if (!load_environment(render_options, *planned, diagnostics) || !is_not_empty) return std::nullopt;
   if (!has_sample_limit(render_options)) planned->settings.samples = transport::RenderSettings::Unlimited;
   return RenderJob{std::move(*compiled), std::move(planned->settings), std::move(planned->plan)};
+}
+
+}  // namespace
+
+std::optional<RenderJob> render_job(const RenderOptions& render_options, Diagnostics& diagnostics,
+                                    const std::optional<transport::SchemeOverride>& scheme) {
+  auto compile_settings = compile_settings_of(render_options, diagnostics);
+  if (compile_settings && !compile_settings->scheme) compile_settings->scheme = scheme;
+  return job_of(read_scene(render_options, diagnostics), compile_settings, render_options, diagnostics);
+}
+
+std::optional<RenderJob> render_job(grf::Scene scene, const RenderOptions& render_options,
+                                    Diagnostics& diagnostics) {
+  const auto compile_settings = compile_settings_of(render_options, diagnostics);
+  if (!check(scene, diagnostics)) return std::nullopt;
+  return job_of(std::move(scene), compile_settings, render_options, diagnostics);
 }
 
 std::optional<BakeJob> bake_job(RenderOptions render_options, int directions, Diagnostics& diagnostics) {

@@ -24,6 +24,11 @@ std::optional<RenderJob> render_job(const options::RenderOptions& render_options
                                     grf::Diagnostics& diagnostics,
                                     const std::optional<transport::SchemeOverride>& scheme = std::nullopt);
 
+/// Checks, plans and compiles a scene that is in memory, whatever scene the options name; nothing after an
+/// error. File names in it are absolute.
+std::optional<RenderJob> render_job(grf::Scene scene, const options::RenderOptions& render_options,
+                                    grf::Diagnostics& diagnostics);
+
 // The steps of `render_job` return nothing, or false, after an error.
 
 /// Reads and checks the scene that the options name.
