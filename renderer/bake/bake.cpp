@@ -24,7 +24,7 @@ using transport::RenderTotals;
 using transport::ShadingPoint;
 
 /// Pilot samples per half, which estimate the variance at a vertex.
-constexpr int PilotSamples = 32;
+constexpr int HalfPilotSamples = Bake::PilotSamples / 2;
 
 /// Returns the number of samples at the next error check.
 std::int64_t next_check(std::int64_t samples) {
@@ -81,6 +81,7 @@ Bake::Bake(const CompiledScene& scene, const BakePoints& points, const BakeSetti
       cells_(std::max(1, settings.directions)),
       tallies_(points.count()),
       sums_(points.count() * sums_per_vertex()),
+      samples_of_run_(settings.samples),
       start_(std::chrono::steady_clock::now()) {
   settings_.integrator = for_gathering(settings.integrator);
   for (std::size_t i = 0; i < points.count(); ++i) baked_vertices_ += points.has_faces(i) ? 1 : 0;
@@ -131,12 +132,34 @@ void Bake::run() {
 /// Samples per vertex at which the error is checked: at the end of the pilots, then at growing intervals, so
 /// that a bake that time or a signal ends is about equally good everywhere.
 int Bake::samples_of_stage(int stage) const {
-  std::int64_t samples = 2 * PilotSamples;
+  std::int64_t samples = PilotSamples;
   for (int i = 0; i < stage && samples < settings_.samples; ++i) samples = next_check(samples);
   return static_cast<int>(std::min<std::int64_t>(samples, settings_.samples));
 }
 
+bool Bake::has_pilot() const {
+  for (std::size_t i = 0; i < tallies_.size(); ++i) {
+    if (!points_.has_faces(i)) continue;
+    for (int half = 0; half < 2; ++half) {
+      const std::uint32_t count = count_after(tallies_[i], half, samples_of_stage(0));
+      if (tallies_[i].counts[static_cast<std::size_t>(half)] < count) return false;
+    }
+  }
+  return true;
+}
+
+RenderEnd Bake::run_part() {
+  const bool is_after_pilot = has_pilot();
+  const int samples = samples_of_stage(0);
+  samples_of_run_ = double(is_after_pilot ? settings_.samples - samples : samples) / settings_.part->count;
+  if (is_after_pilot) weigh_vertices();
+  const bool is_done = run_stage(is_after_pilot ? settings_.samples : samples);
+  if (is_done) return RenderEnd::Samples;
+  return stopped_ ? RenderEnd::Stopped : RenderEnd::Time;
+}
+
 RenderEnd Bake::run_stages() {
+  if (settings_.part) return run_part();
   // The checkpoint may have been written while the pilots were finishing.
   if (stage_ > 0 && !run_stage(samples_of_stage(0))) return stopped_ ? RenderEnd::Stopped : RenderEnd::Time;
   while (true) {
@@ -153,7 +176,8 @@ bool Bake::run_stage(int samples) {
   parallel::for_each_range(points_.count(), [&](std::size_t begin, std::size_t end) {
     Vertex vertex;
     for (std::size_t i = begin; i != end; ++i) {
-      if (points_.has_faces(i) && !advance(i, samples, vertex)) break;
+      const bool is_own = points_.has_faces(i) && (!settings_.part || settings_.part->has(i));
+      if (is_own && !advance(i, samples, vertex)) break;
     }
   });
   return !stopped_ && !out_of_time_;
@@ -169,8 +193,8 @@ bool Bake::reaches_target() {
 /// The standard deviation of a vertex's radiance, relative to the divisor of Film::estimated_error.
 double Bake::deviation(const BakeTally& tally, int half) const {
   const BakeTally::Pilot& pilot = tally.pilots[static_cast<std::size_t>(half)];
-  const double mean = pilot.sum / PilotSamples;
-  const double variance = std::max(0.0, pilot.squares / PilotSamples - mean * mean);
+  const double mean = pilot.sum / HalfPilotSamples;
+  const double variance = std::max(0.0, pilot.squares / HalfPilotSamples - mean * mean);
   return std::sqrt(variance / (mean * mean + image::RelmseFloor));
 }
 
@@ -192,11 +216,11 @@ void Bake::weigh_vertices() {
 /// Returns the number of samples of a half at this mean number of samples per vertex.
 std::uint32_t Bake::count_after(const BakeTally& tally, int half, int samples) const {
   const int mean_count = samples / 2 + (half == 0 ? samples % 2 : 0);
-  if (mean_count <= PilotSamples) return static_cast<std::uint32_t>(mean_count);
+  if (mean_count <= HalfPilotSamples) return static_cast<std::uint32_t>(mean_count);
   const Weighing& weighing = weighings_[static_cast<std::size_t>(1 - half)];
   const double weight =
       weighing.mean > 0 ? std::max(deviation(tally, 1 - half), weighing.least) / weighing.mean : 1;
-  const double count = PilotSamples + std::floor((mean_count - PilotSamples) * weight + 0.5);
+  const double count = HalfPilotSamples + std::floor((mean_count - HalfPilotSamples) * weight + 0.5);
   constexpr double Most = std::numeric_limits<std::uint32_t>::max();
   return static_cast<std::uint32_t>(std::min(count, Most));
 }
@@ -238,7 +262,7 @@ bool Bake::add_samples(std::size_t index, int half, std::uint32_t count, Vertex&
       continue;
     }
     add(gathered, half, vertex);
-    if (number >= PilotSamples) continue;
+    if (number >= HalfPilotSamples) continue;
     const double mean = reflectance::mean(radiance);
     vertex.tally.pilots[h].sum += mean;
     vertex.tally.pilots[h].squares += mean * mean;
@@ -279,7 +303,7 @@ transport::RenderProgress Bake::progress() const {
   transport::RenderProgress progress;
   progress.seconds = totals().seconds;
   const double samples = samples_per_vertex();
-  double needed = settings_.samples;
+  double needed = samples_of_run_;
   double restored = 0;
   {
     const std::lock_guard lock(totals_lock_);

@@ -17,6 +17,15 @@
 
 namespace bake {
 
+/// A part of the vertices of a bake: each `count`-th one, from number `index` on.
+struct BakePart {
+  std::uint32_t index = 0;
+  std::uint32_t count = 1;
+
+  bool operator==(const BakePart&) const = default;
+  bool has(std::size_t vertex) const { return vertex % count == index; }
+};
+
 struct BakeSettings {
   /// Path integrator settings. The scattering at a vertex counts as one bounce of the depth, so a render of
   /// the same depth shows the same with and without irradiance.
@@ -27,6 +36,9 @@ struct BakeSettings {
   int directions = 0;                  ///< hemisphere cells, each with its own value; 0: one value for all
   std::uint32_t seed = 0;
   int threads = 0;  ///< 0: one per core
+  /// Bakes only these vertices, to the number of samples: their pilot, or if the pilot of all vertices was
+  /// restored, the rest.
+  std::optional<BakePart> part;
 };
 
 /// The state of a vertex, besides its sums.
@@ -52,6 +64,9 @@ struct BakeTally {
 /// counts, no value is biased.
 class Bake {
  public:
+  /// Samples per vertex of the pilot.
+  static constexpr int PilotSamples = 64;
+
   /// The scene must be compiled `without_instances`. The scene and the points must outlive the bake.
   Bake(const transport::CompiledScene& scene, const BakePoints& points, const BakeSettings& settings);
 
@@ -73,6 +88,9 @@ class Bake {
   std::size_t vertex_count() const { return points_.count(); }
   /// The number of vertices that means are over: those with faces around them, at least 1.
   double baked_vertex_count() const { return static_cast<double>(std::max<std::size_t>(1, baked_vertices_)); }
+
+  /// Whether all vertices that have faces have their pilot.
+  bool has_pilot() const;
 
   /// Resumes from the state of another bake of the same scene; to be called before `run`.
   void restore(int stage, const transport::RenderTotals& totals);
@@ -99,6 +117,7 @@ class Bake {
 
   std::size_t cell_count() const { return static_cast<std::size_t>(cells_.count()); }
   transport::RenderEnd run_stages();
+  transport::RenderEnd run_part();
   int samples_of_stage(int stage) const;
   bool run_stage(int samples);
   bool reaches_target();
@@ -132,6 +151,7 @@ class Bake {
   };
   std::array<Weighing, 2> weighings_;
   mutable std::array<std::mutex, 64> vertex_locks_;
+  std::atomic<double> samples_of_run_;  ///< mean over all vertices, when the run is done
   const std::chrono::steady_clock::time_point start_;
   std::atomic<int> stage_ = 0;
   std::atomic<bool> stopped_ = false;

@@ -117,19 +117,21 @@ void add_pack(CLI::App& app, command::PackArguments& arguments) {
 
 void add_merge(CLI::App& app, command::MergeArguments& arguments) {
   CLI::App* merge = app.add_subcommand(
-      "merge", "Merge parts of an image, rendered anywhere, to the image that one process would render");
+      "merge", "Merge parts of an image or a bake, made anywhere, to what one process would make");
   merge->add_option("parts", arguments.parts, "part files, in any order")
       ->required()
       ->type_name("FILE.part...");
   merge
       ->add_option(
           "-o,--output", arguments.outputs,
-          "output image; may be repeated for other file types; or a part file with all that the parts have")
+          "output image, or the IGRF file of a bake; images may be repeated for other file types; or a part "
+          "file with all that the parts have")
       ->type_name("path")
       ->allow_extra_args(false);
   merge->add_flag(
       "--missing", arguments.lists_missing,
-      "print which samples no part has, as flags of `bpt render`; the exit code is 1 if there are any");
+      "print which samples no part has, as flags of `bpt render` or `bpt bake`; the exit code is 1 if there "
+      "are any");
   merge->add_flag("--json", arguments.json, "print one JSON object");
 }
 
@@ -142,7 +144,14 @@ void add_bake(CLI::App& app, command::BakeArguments& arguments) {
       ->type_name("SCENE.op|SCENE.grf");
   bake->add_option("-o,--output", arguments.output, "output file; included files are merged into it")
       ->required()
-      ->type_name("FILE.igrf");
+      ->type_name("FILE.igrf|FILE.part");
+  bake->add_option("--part", arguments.part.part,
+                   "bake each N-th vertex, from vertex K on, to a part file for `bpt merge`: its pilot of 64 "
+                   "samples, unless that is given")
+      ->type_name("K/N");
+  bake->add_option("--pilot", arguments.part.pilot,
+                   "part file with the pilot of all vertices, which places the other samples")
+      ->type_name("FILE.part");
   bake->add_option("--directions", arguments.directions,
                    "number of directions per vertex: write irradiance per direction, in cells of equal "
                    "cosine-weighted solid angle that sum to the total, instead of one value per vertex")
@@ -361,9 +370,15 @@ void add_cost(CLI::App& app, command::CostArguments& arguments) {
                    "measure only these pixels of the image: x and y of the upper left, width and height")
       ->type_name("X Y W H")
       ->expected(4);
+  cost->add_option("--part", arguments.part,
+                   "measure each N-th line of the study, from line K on, against a --reference: parts from "
+                   "machines of one kind become a study by --continue")
+      ->type_name("K/N");
   cost->add_option("--continue", arguments.continued,
-                   "keep the rows of an earlier study, and measure only missing rows and rounds")
-      ->type_name("BASE.json");
+                   "keep the rows of an earlier study, and measure only missing rows and rounds; may be "
+                   "repeated for the parts of one")
+      ->type_name("BASE.json")
+      ->allow_extra_args(false);
   cost->add_option("-o,--output", arguments.output,
                    "write BASE.csv, BASE.md, BASE.svg and BASE.json, and the rendered reference, "
                    "BASE-reference.pfm (the scene's name with -cost)")

@@ -16,11 +16,13 @@
 #include "renderer/command/cost_report.h"
 #include "renderer/command/cost_study.h"
 #include "renderer/command/cost_sweep.h"
+#include "renderer/command/part_arguments.h"
 #include "renderer/command/render_output.h"
 #include "renderer/command/render_run.h"
 #include "renderer/job/render_fingerprint.h"
 #include "renderer/job/render_job.h"
 #include "renderer/parallel/loops.h"
+#include "renderer/transport/sobol.h"
 
 namespace command {
 namespace {
@@ -106,13 +108,15 @@ RenderOptions for_sweep(RenderOptions render_options) {
   return render_options;
 }
 
-bool prepare_lines(const std::vector<CostLine>& lines, const RenderOptions& render_options,
-                   const std::optional<CropWindow>& crop, CostPlan& plan, Diagnostics& diagnostics) {
+/// Prepares lines under the conditions of all lines of a study.
+bool prepare_lines(const std::vector<CostLine>& lines, const std::vector<CostLine>& all,
+                   const RenderOptions& render_options, const std::optional<CropWindow>& crop, CostPlan& plan,
+                   Diagnostics& diagnostics) {
   const auto scene = job::read_scene(render_options, diagnostics);
   if (!scene) return false;
-  Subjects subjects(*scene, std::any_of(lines.begin(), lines.end(), is_naive), crop, diagnostics);
+  Subjects subjects(*scene, std::any_of(all.begin(), all.end(), is_naive), crop, diagnostics);
   // The first compilation takes longer, because threads start: no line is to be charged for that.
-  auto reference = subjects.of(reference_line(lines, render_options));
+  auto reference = subjects.of(reference_line(all, render_options));
   if (!reference) return false;
   plan.reference = std::move(*reference);
   for (const CostLine& line : lines) {
@@ -203,22 +207,56 @@ CostConditions conditions_of(const CostArguments& arguments, const std::vector<C
   return conditions;
 }
 
-/// Takes the reference and the rows of the same settings from an earlier study, if there is one.
+/// Takes the reference of an earlier study, or checks that it is the one that is there.
+bool take_reference(const SavedCost& saved, const std::string& path, CostPlan& plan,
+                    Diagnostics& diagnostics) {
+  const auto refuse = [&](const char* why) {
+    diagnostics.error(grf::whole_file(path), why);
+    return false;
+  };
+  std::optional<image::Image> image;
+  if (!saved.reference_image.empty()) {
+    image = image::read_image(saved.reference_image, diagnostics);
+    if (!image) return false;
+  }
+  if (plan.given) {
+    const std::string digest = image ? digest_of_image(*image) : saved.reference_digest;
+    return digest == digest_of_image(plan.given->image) ||
+           refuse("the study was measured against another reference: errors would not compare");
+  }
+  if (!image) return refuse("the study was measured against an image: give it by --reference");
+  plan.given = CostReference{std::move(*image), saved.reference_seconds, saved.reference_relmse};
+  plan.reference_samples = saved.reference_samples;
+  return true;
+}
+
+/// Adds the rows of a line that are not known with as many rounds.
+void add_known_rows(const SavedCost& saved, const std::string& key, std::size_t line, CostPlan& plan) {
+  for (const SavedCost::Row& row : saved.rows) {
+    if (row.key != key) continue;
+    const auto is_known = [&](const CostRow& known) {
+      return known.line == line && known.samples == row.row.samples;
+    };
+    const auto known = std::ranges::find_if(plan.known, is_known);
+    if (known == plan.known.end()) {
+      plan.known.push_back(row.row);
+      plan.known.back().line = line;
+    } else if (known->rounds.size() < row.row.rounds.size()) {
+      *known = row.row;
+      known->line = line;
+    }
+  }
+}
+
+/// Takes the reference and the rows of the same settings from earlier studies, if there are any.
 bool take_earlier(const CostArguments& arguments, const std::vector<CostLine>& lines,
                   const CostConditions& conditions, CostPlan& plan, Diagnostics& diagnostics) {
-  if (arguments.continued.empty()) return true;
-  auto saved = read_cost_study(arguments.continued, diagnostics);
-  if (!saved || !check_conditions(*saved, conditions, arguments.continued, diagnostics)) return false;
-  auto image = image::read_image(saved->reference_image, diagnostics);
-  if (!image) return false;
-  plan.given = CostReference{std::move(*image), saved->reference_seconds, saved->reference_relmse};
-  plan.reference_samples = saved->reference_samples;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (const SavedCost::Row& row : saved->rows) {
-      if (row.key != key_of(lines[i])) continue;
-      plan.known.push_back(row.row);
-      plan.known.back().line = i;
-    }
+  for (const std::string& path : arguments.continued) {
+    const auto saved = read_cost_study(path, diagnostics);
+    if (!saved || !check_conditions(*saved, conditions, path, diagnostics) ||
+        !take_reference(*saved, path, plan, diagnostics))
+      return false;
+    for (std::size_t i = 0; i < lines.size(); ++i) add_known_rows(*saved, key_of(lines[i]), i, plan);
   }
   return true;
 }
@@ -275,6 +313,8 @@ CostResult result_of(const CostSweep& sweep, const CostPlan& plan, const CostTas
   result.reference_path = task.arguments.reference;
   result.reference_samples = plan.reference_samples;
   result.reference_depth = plan.reference.settings.integrator.depth;
+  if (sweep.reference() && !task.arguments.reference.empty())
+    result.reference_digest = digest_of_image(sweep.reference()->image);
   if (sweep.reference() && task.arguments.reference.empty()) {
     result.reference_seconds = sweep.reference()->seconds;
     result.reference_error = std::sqrt(sweep.reference()->relmse);
@@ -316,6 +356,31 @@ bool report(const CostSweep& sweep, const CostResult& result, const CostTask& ta
   return written;
 }
 
+/// Keeps the lines of a part of a study, and gives their rounds seeds that no other part has. Prints errors,
+/// and then returns false.
+bool take_part(const CostArguments& arguments, std::vector<CostLine>& lines, CostPlan& plan) {
+  if (arguments.part.empty()) return true;
+  bool is_right = true;
+  OptionFlags no_flags;
+  const auto part = image_part_of({arguments.part, "", ""}, no_flags, is_right);
+  if (!is_right) return false;
+  if (arguments.reference.empty()) {
+    fmt::print(stderr, "error: --part: the parts of a study share a reference: give it by --reference\n");
+    return false;
+  }
+  if (std::cmp_greater(part->count, lines.size())) {
+    fmt::print(stderr, "error: --part: expected at most {} parts, one per line of the study\n", lines.size());
+    return false;
+  }
+  std::vector<CostLine> own;
+  for (auto i = static_cast<std::size_t>(part->index); i < lines.size();
+       i += static_cast<std::size_t>(part->count))
+    own.push_back(std::move(lines[i]));
+  lines = std::move(own);
+  plan.seed = transport::hash(plan.seed, static_cast<std::uint32_t>(part->index) + 1);
+  return true;
+}
+
 int reference_samples_of(const CostArguments& arguments, int most_samples) {
   constexpr int Factor = 16;
   if (arguments.reference_samples > 0) return arguments.reference_samples;
@@ -336,23 +401,26 @@ ExitCode cost(const CostArguments& arguments) {
   *render_options = for_sweep(*render_options);
   if (!apply_flags(arguments.flags, *render_options)) return ExitCode::BadCommandLine;
   const auto samples = sample_counts(arguments.samples);
-  const auto lines = cost_lines(arguments.sweeps, *render_options);
-  if (!samples || !lines || !can_divide(*lines, *samples)) return ExitCode::BadCommandLine;
-  CostTask task = {arguments, *lines, *render_options, base_of(arguments, *render_options), {}, {}};
+  const auto all = cost_lines(arguments.sweeps, *render_options);
+  if (!samples || !all || !can_divide(*all, *samples)) return ExitCode::BadCommandLine;
+  CostPlan plan;
+  plan.seed = render_options->seed;
+  std::vector<CostLine> lines = *all;
+  if (!take_part(arguments, lines, plan)) return ExitCode::BadCommandLine;
+  CostTask task = {arguments, lines, *render_options, base_of(arguments, *render_options), {}, {}};
   if (!read_crop(arguments, render_options->size, task.crop)) return ExitCode::BadCommandLine;
   const options::ImageSize size =
       task.crop ? options::ImageSize{task.crop->width, task.crop->height} : render_options->size;
-  CostPlan plan;
   plan.samples = *samples;
   plan.reference_samples = reference_samples_of(arguments, samples->back());
   plan.rounds = arguments.rounds;
-  plan.seed = render_options->seed;
   bool is_ready = can_write(task.base, diagnostics) &&
-                  read_reference(arguments.reference, size, plan, diagnostics) &&
-                  prepare_lines(*lines, *render_options, task.crop, plan, diagnostics);
+                  prepare_lines(lines, *all, *render_options, task.crop, plan, diagnostics);
   if (is_ready) {
-    task.conditions = conditions_of(arguments, *lines, *render_options, diagnostics);
-    is_ready = take_earlier(arguments, *lines, task.conditions, plan, diagnostics);
+    // Before the reference is read, which is none of the scene's files.
+    task.conditions = conditions_of(arguments, *all, *render_options, diagnostics);
+    is_ready = read_reference(arguments.reference, size, plan, diagnostics) &&
+               take_earlier(arguments, lines, task.conditions, plan, diagnostics);
   }
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (!is_ready) return ExitCode::BadInput;

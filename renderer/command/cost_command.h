@@ -18,10 +18,11 @@ struct CostArguments {
   std::string reference;      ///< path of an image; empty: the reference is rendered
   int reference_samples = 0;  ///< samples per pixel; 0: 16 times the most of the sweep
   int rounds = 2;
-  std::vector<int> crop;         ///< x, y, width and height in pixels; empty: the whole image
-  std::string continued;         ///< BASE.json of an earlier study; empty: none
-  std::string output;            ///< BASE; empty: the scene's name with -cost
-  std::string progress = "bar";  ///< or `json`, or `none`
+  std::vector<int> crop;               ///< x, y, width and height in pixels; empty: the whole image
+  std::string part;                    ///< such as 2/8: the lines that this machine measures; empty: all
+  std::vector<std::string> continued;  ///< BASE.json of earlier studies, or of the parts of one
+  std::string output;                  ///< BASE; empty: the scene's name with -cost
+  std::string progress = "bar";        ///< or `json`, or `none`
   bool json = false;
 };
 

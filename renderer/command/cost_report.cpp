@@ -86,6 +86,7 @@ ordered_json json_of_reference(const CostResult& result) {
   ordered_json json;
   json["path"] = result.reference_path.empty() ? ordered_json(nullptr) : ordered_json(result.reference_path);
   const bool is_rendered = result.reference_path.empty();
+  json["digest"] = is_rendered ? ordered_json(nullptr) : ordered_json(result.reference_digest);
   json["samples"] = is_rendered ? ordered_json(result.reference_samples) : ordered_json(nullptr);
   json["depth"] = is_rendered ? ordered_json(result.reference_depth) : ordered_json(nullptr);
   json["seconds"] = is_rendered ? ordered_json(result.reference_seconds) : ordered_json(nullptr);

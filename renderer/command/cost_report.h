@@ -39,8 +39,9 @@ struct CostResult {
   std::optional<transport::CropWindow> crop;
   int rounds = 0;
   CostConditions conditions;
-  std::string reference_path;   ///< empty: the reference was rendered
-  std::string reference_image;  ///< file name of the rendered reference, beside the tables
+  std::string reference_path;    ///< empty: the reference was rendered
+  std::string reference_digest;  ///< of a given reference, see `digest_of_image`
+  std::string reference_image;   ///< file name of the rendered reference, beside the tables
   int reference_samples = 0;
   int reference_depth = 0;
   double reference_seconds = 0;

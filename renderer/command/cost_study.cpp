@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "grf/text_file.h"
+#include "renderer/transport/checkpoint_frame.h"
+#include "renderer/transport/digest.h"
 
 namespace command {
 namespace {
@@ -34,11 +36,15 @@ SavedCost study_of(const nlohmann::json& saved, const std::filesystem::path& fol
   study.conditions = {saved.at("fingerprint").get<std::string>(), saved.at("threads").get<int>(),
                       saved.at("has_centred_rays").get<bool>()};
   const nlohmann::json& reference = saved.at("reference");
-  study.reference_image = (folder / reference.at("image").get<std::string>()).string();
-  study.reference_samples = reference.at("samples").get<int>();
-  study.reference_seconds = reference.at("seconds").get<double>();
-  const double error = reference.at("error").get<double>();
-  study.reference_relmse = error * error;
+  if (reference.at("image").is_null()) {
+    study.reference_digest = reference.at("digest").get<std::string>();
+  } else {
+    study.reference_image = (folder / reference.at("image").get<std::string>()).string();
+    study.reference_samples = reference.at("samples").get<int>();
+    study.reference_seconds = reference.at("seconds").get<double>();
+    const double error = reference.at("error").get<double>();
+    study.reference_relmse = error * error;
+  }
   for (const nlohmann::json& row : saved.at("rows")) study.rows.push_back(row_of(row));
   return study;
 }
@@ -50,15 +56,17 @@ bool fail(const std::string& path, const std::string& problem, grf::Diagnostics&
 
 }  // namespace
 
+std::string digest_of_image(const image::Image& image) {
+  return transport::hex(transport::digest_of(transport::bytes_of_all(image.pixels)));
+}
+
 std::optional<SavedCost> read_cost_study(const std::string& path, grf::Diagnostics& diagnostics) {
   const auto text = grf::read_file(path, diagnostics);
   if (!text) return std::nullopt;
   try {
     return study_of(nlohmann::json::parse(*text), std::filesystem::path(path).parent_path());
   } catch (const std::exception& error) {
-    fail(path,
-         fmt::format("expected the JSON of a study with a rendered reference, as bpt cost writes it: {}",
-                     error.what()),
+    fail(path, fmt::format("expected the JSON of a study, as bpt cost writes it: {}", error.what()),
          diagnostics);
     return std::nullopt;
   }

@@ -18,12 +18,16 @@ struct SavedCost {
     CostRow row;  ///< its line index has no meaning yet
   };
   CostConditions conditions;
-  std::string reference_image;  ///< path
+  std::string reference_image;   ///< path; empty: the reference was given
+  std::string reference_digest;  ///< of a given reference, see `digest_of_image`
   int reference_samples = 0;
   double reference_seconds = 0;
   double reference_relmse = 0;
   std::vector<Row> rows;
 };
+
+/// Returns the digest of an image's pixels, by which studies know a reference that was given.
+std::string digest_of_image(const image::Image& image);
 
 /// Reads BASE.json of a study; nothing after an error.
 std::optional<SavedCost> read_cost_study(const std::string& path, grf::Diagnostics& diagnostics);

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "grf/diagnostics.h"
+#include "renderer/bake/part_file.h"
+#include "renderer/command/bake_command.h"
 #include "renderer/command/json_values.h"
 #include "renderer/command/part_arguments.h"
 #include "renderer/command/printed.h"
@@ -99,6 +101,7 @@ bool write_merged(const PartMerge& merge, const transport::ErrorEstimate& bias,
 }
 
 ExitCode merge(const MergeArguments& arguments) {
+  if (bake::is_part_file(arguments.parts.front())) return merge_bake(arguments);
   const bool has_part =
       std::ranges::any_of(arguments.outputs, [](const auto& o) { return o.ends_with(".part"); });
   if (arguments.outputs.empty() != arguments.lists_missing || (has_part && arguments.outputs.size() > 1)) {

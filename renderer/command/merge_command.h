@@ -19,7 +19,7 @@ struct MergeArguments {
 };
 
 /// Merges parts of an image to the image, or to a larger part, and prints a summary. An image of which
-/// samples lack is not written.
+/// samples lack is not written. Parts of a bake become its scene likewise.
 grf::ExitCode merge(const MergeArguments& arguments);
 
 /// How the summary of a merged image is printed.

@@ -17,8 +17,7 @@ struct PartFlags {
 };
 
 /// Returns the part that flags choose; empty if they choose none. Takes a range, such as 128..255, out of the
-/// flag
-/// `--samples`. Prints errors, and sets `is_right`.
+/// flag `--samples`. Prints errors, and sets `is_right`.
 std::optional<transport::ImagePart> image_part_of(const PartFlags& part_flags, OptionFlags& flags,
                                                   bool& is_right);
 

@@ -3,6 +3,7 @@
 #include <set>
 #include <sstream>
 
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include "renderer/command/cost_efficiency.h"
@@ -303,6 +304,54 @@ TEST_F(BptCost, ContinuesAStudy) {
   const Outcome refused = cost(scene, arguments);
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_NE(refused.err.find("the study is of another scene"), std::string::npos) << refused.err;
+}
+
+// Two parts of a study, merged, have all of its lines; nothing is measured again.
+TEST_F(BptCost, MergesTheParts) {
+  const std::string scene = write("scene.grf", Shiny);
+  const std::string reference = path("reference.pfm");
+  ASSERT_EQ(bpt({"render", scene, "--size", "32x24", "--samples", "64", "-o", reference}).exit_code, 0);
+  std::vector<std::string> arguments = OwnOrDiffuse;
+  arguments[5] = "Own,Diffuse,Hemisphere";
+  arguments.insert(arguments.end(), {"--reference", reference});
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), arguments.begin(), arguments.end());
+    more.insert(more.begin(), {"cost", scene});
+    return bpt(more);
+  };
+  ASSERT_EQ(with({"--part", "1/2", "--output", path("a")}).exit_code, 0);
+  ASSERT_EQ(with({"--part", "2/2", "--output", path("b")}).exit_code, 0);
+  const json a = json::parse(test::bytes_of(path("a.json")));
+  const json b = json::parse(test::bytes_of(path("b.json")));
+  EXPECT_EQ(line_names(a), (std::vector<std::string>{"Own", "Hemisphere"}));
+  EXPECT_EQ(line_names(b), std::vector<std::string>{"Diffuse"});
+  EXPECT_NE(a["rows"][0]["seeds"], b["rows"][0]["seeds"]) << "their noise is independent";
+  const std::vector<std::string> both = {"--continue",   path("a.json"), "--continue",
+                                         path("b.json"), "--output",     path("both")};
+  ASSERT_EQ(with(both).exit_code, 0);
+  const json study = json::parse(test::bytes_of(path("both.json")));
+  ASSERT_EQ(study["rows"].size(), 9U);
+  const auto expect_same = [](const json& row, const json& of_part) {
+    for (const char* name : {"line", "samples", "seeds", "rounds"}) EXPECT_EQ(row[name], of_part[name]);
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    expect_same(study["rows"][i], a["rows"][i]);
+    expect_same(study["rows"][3 + i], b["rows"][i]);
+    expect_same(study["rows"][6 + i], a["rows"][3 + i]);
+  }
+  EXPECT_EQ(line_names(study), (std::vector<std::string>{"Own", "Diffuse", "Hemisphere"}));
+
+  const Outcome alone = with({"--part", "4/4", "--output", path("c")});
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_THAT(alone.err, testing::HasSubstr("expected at most 3 parts"));
+  ASSERT_EQ(bpt({"render", scene, "--size", "32x24", "--samples", "8", "-o", reference}).exit_code, 0);
+  const Outcome other = with(both);
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_THAT(other.err,
+              testing::HasSubstr("a.json: error: the study was measured against another reference"));
+  arguments.resize(arguments.size() - 2);
+  EXPECT_THAT(with({"--part", "1/2"}).err, testing::HasSubstr("share a reference"));
+  EXPECT_THAT(with(both).err, testing::HasSubstr("give it by --reference"));
 }
 
 // The pixels of a crop window have the values that they have in the whole image.
