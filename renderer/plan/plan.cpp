@@ -190,13 +190,18 @@ Answer Planner::background() const {
   return {true, "paths can leave the scene"};
 }
 
+// A mirror interreflects if a path that was scattered elsewhere can come to it: its light is a caustic there.
 Answer Planner::interreflection(bool diffuse) const {
-  const Test test = [&](const CoarseSurface& surface) {
-    return surface.is_only_diffuse() == diffuse && (surface.is_diffuse || surface.is_glossy);
-  };
   if (reachability_.depth < 2) return {false, why_depth()};
+  const Test scatters = [](const CoarseSurface& surface) { return surface.is_diffuse || surface.is_glossy; };
+  const bool has_caustics =
+      settings_.limits.effects.has(Effect::MirrorReflection) && !reflecting(scatters).empty();
+  const Test test = [&](const CoarseSurface& surface) {
+    return surface.is_only_diffuse() == diffuse &&
+           (scatters(surface) || (has_caustics && surface.is_specular));
+  };
   return of_faces(test, diffuse ? "a diffuse BRDF, and paths continue from there or to there"
-                                : "a glossy BRDF, and paths continue from there or to there");
+                                : "a glossy or specular BRDF, and paths continue from there or to there");
 }
 
 // Light that reaches a visible face may have passed any other face.
@@ -244,6 +249,7 @@ Answer Planner::depth_of_field() const {
 
 Answer Planner::of(Effect effect) const {
   if (!settings_.limits.effects.has(effect)) return {false, "it is switched off"};
+  if (settings_.keeps_all) return {true, "the options leave out nothing"};
   switch (effect) {
     case Effect::AreaLights:
       return area_lights();

@@ -203,6 +203,9 @@ TEST(SwitchedOff, InterreflectionLeavesWhatTheEyeSees) {
   const std::string glossy = dot + ceiling_of("brdf ward sx=0.2 sy=0.2 ks=0.5 kd=0.3");
   EXPECT_GT(shown(glossy, setup).x, 0.5F * (1 - f + 0.2F * f));
   expect_shown(glossy, test::without(setup, Effect::GlossyInterreflection), Rgb(0.5F * (1 - f)), 0.02);
+  // What a mirror sends to a scattering face is a caustic, not a mirror image that the eye sees.
+  expect_with_and_without(dot + ceiling_of("brdf specular ks=0.9"), setup, Effect::GlossyInterreflection,
+                          Rgb(0.5F * (1 - f + 0.9F * f)), Rgb(0.5F * (1 - f)), 0.02);
   // Each does not affect the other kind.
   EXPECT_GT(shown(glossy, test::without(setup, Effect::DiffuseInterreflection)).x, 0.5F * (1 - f + 0.2F * f));
   expect_shown(dot + ceiling_of("brdf diffuse kd=0.6"), test::without(setup, Effect::GlossyInterreflection),
