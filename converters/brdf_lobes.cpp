@@ -246,13 +246,17 @@ BrdfLobes openpbr(const Arguments& a) {
           2 / (along * std::max(1e-4, along * less)) - 2};
 }
 
-constexpr std::array<BrdfRule, 29> BrdfRules = {{
+constexpr std::array<BrdfRule, 30> BrdfRules = {{
     {"diffuse", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"minnaert", "kd", "", "", [](const Arguments& a) { return diffuse(a.colour({"kd"}, 0.5)); }},
     {"oren", "r", "", "", [](const Arguments& a) { return diffuse(a.colour({"r"}, 0.5)); }},
     {"specular", "", "ks", "infinite",
      [](const Arguments& a) {
        return BrdfLobes{Vec3d(0), a.colour({"ks"}, 1), Mirror};
+     }},
+    {"glass", "", "((ior - 1)/(ior + 1))^2", "infinite",
+     [](const Arguments& a) {
+       return BrdfLobes{Vec3d(0), Vec3d(a.fresnel(1.5)), Mirror};
      }},
     {"coupled", "Rm (1 - R0)", "R0", "infinite", coupled},
     {"lewis", "kd", "ks", "4 n", lewis},

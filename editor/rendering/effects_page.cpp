@@ -77,6 +77,8 @@ QString title_of(Effect effect) {
       return EffectsPage::tr("Glossy interreflection");
     case Effect::MirrorReflection:
       return EffectsPage::tr("Mirror reflection");
+    case Effect::Transmission:
+      return EffectsPage::tr("Transmission");
     case Effect::Anisotropy:
       return EffectsPage::tr("Anisotropy");
     case Effect::Textures:

@@ -1825,6 +1825,10 @@ Abra un archivo (Ctrl+O) o suéltelo aquí.</translation>
         <source>Opacity</source>
         <translation>Opacidad</translation>
     </message>
+    <message>
+        <source>Transmission</source>
+        <translation>Transmisión</translation>
+    </message>
 </context>
 <context>
     <name>editor::EmissionRow</name>

@@ -6,6 +6,7 @@
 #include <optional>
 #include <variant>
 
+#include "grf/keywords.h"
 #include "renderer/reflectance/brdf_maker.h"
 #include "renderer/reflectance/shader.h"
 
@@ -48,7 +49,17 @@ class Builder {
     for (const CombinedBrdf& term : brdfs) add_term(term);
     tables_.surfaces.emplace_back(static_cast<float>(first), static_cast<float>(brdfs.size()),
                                   add_mirror(brdfs), lobe_exponent(brdfs));
-    add_opacity(is_light ? grf::Opacity() : flat_surface.opacity, flat_surface.texture);
+    add_opacity(is_light ? grf::Opacity() : shown_opacity(flat_surface), flat_surface.texture);
+  }
+
+  /// Light passes glass straight on here, and solids are not bent: an outline of what is behind.
+  static grf::Opacity shown_opacity(const FlatSurface& flat_surface) {
+    constexpr float OfGlass = 0.3F;
+    grf::Opacity opacity = flat_surface.opacity;
+    const bool is_glass = flat_surface.brdf && flat_surface.brdf->terms.empty() &&
+                          grf::same_keyword(flat_surface.brdf->keyword, "glass");
+    if (is_glass && opacity.kind != grf::Opacity::Kind::Mask) opacity.value *= OfGlass;
+    return opacity;
   }
 
   void add_opacity(const grf::Opacity& opacity, const std::string& texture) {

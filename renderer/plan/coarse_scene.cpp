@@ -151,6 +151,7 @@ void CoarseSceneBuilder::describe_brdf(const grf::ResolvedSurface& resolved, Coa
     surface.is_diffuse |= reflectance::has_diffuse_part(brdf);
     surface.is_glossy |= reflectance::has_glossy_part(brdf);
     surface.is_specular |= reflectance::has_specular_part(brdf);
+    surface.is_glass |= std::holds_alternative<reflectance::Glass>(brdf);
     surface.is_anisotropic |= reflectance::is_anisotropic(brdf);
   };
   if (resolved.brdf == nullptr) return add(reflectance::default_brdf());
@@ -262,10 +263,11 @@ void CoarseSceneBuilder::add_triangles(const Mesh& mesh, const std::vector<std::
 void CoarseSceneBuilder::find_solid(std::size_t first_part) {
   if (!has_room()) return;
   const std::span parts = std::span(coarse_scene_.parts).subspan(first_part);
-  const auto is_cutout = [&](const CoarsePart& part) {
-    return coarse_scene_.surfaces[part.surface].is_cutout;
+  const auto lets_light_in = [&](const CoarsePart& part) {
+    const CoarseSurface& surface = coarse_scene_.surfaces[part.surface];
+    return surface.is_cutout || surface.is_glass;
   };
-  if (std::any_of(parts.begin(), parts.end(), is_cutout)) return;
+  if (std::any_of(parts.begin(), parts.end(), lets_light_in)) return;
   std::vector<PlaneTriangle> triangles;
   double extent = 0;
   for (const CoarsePart& part : parts) {

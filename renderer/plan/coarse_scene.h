@@ -21,6 +21,7 @@ struct CoarseSurface {
   bool emits = false;
   /// The components of the BRDF; a black face has none.
   bool is_diffuse = false, is_glossy = false, is_specular = false;
+  bool is_glass = false;  ///< it lets light through by its BRDF
   bool is_anisotropic = false;
   bool is_measured = false;
   bool has_irradiance = false;

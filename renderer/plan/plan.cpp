@@ -44,7 +44,8 @@ class Planner {
  public:
   Planner(const CoarseScene& coarse_scene, const PlanSettings& settings)
       : coarse_scene_(coarse_scene), settings_(settings), reachability_(coarse_scene, limits_of(settings)) {
-    if (settings.keeps_all) keep_all();
+    // What glass lets through goes anywhere.
+    if (settings.keeps_all || transmission().is_needed) keep_all();
     if (settings.shows_surfaces) keep_what_is_seen();
   }
 
@@ -70,6 +71,7 @@ class Planner {
   Answer background() const;
   Answer interreflection(bool diffuse) const;
   Answer of_faces(const Test& test, std::string_view what) const;
+  Answer transmission() const;
   Answer opacity() const;
   Answer interpolated_normals() const;
   Answer irradiance() const;
@@ -194,14 +196,28 @@ Answer Planner::background() const {
 Answer Planner::interreflection(bool diffuse) const {
   if (reachability_.depth < 2) return {false, why_depth()};
   const Test scatters = [](const CoarseSurface& surface) { return surface.is_diffuse || surface.is_glossy; };
-  const bool has_caustics =
-      settings_.limits.effects.has(Effect::MirrorReflection) && !reflecting(scatters).empty();
+  const bool has_caustics = !reflecting(scatters).empty();
+  const bool has_mirrors = has_caustics && settings_.limits.effects.has(Effect::MirrorReflection);
+  const bool has_glass = has_caustics && settings_.limits.effects.has(Effect::Transmission);
   const Test test = [&](const CoarseSurface& surface) {
     return surface.is_only_diffuse() == diffuse &&
-           (scatters(surface) || (has_caustics && surface.is_specular));
+           (scatters(surface) || (has_mirrors && surface.is_specular) || (has_glass && surface.is_glass));
   };
   return of_faces(test, diffuse ? "a diffuse BRDF, and paths continue from there or to there"
                                 : "a glossy or specular BRDF, and paths continue from there or to there");
+}
+
+// Paths that pass glass, and lamps that shine through it, are not bounded by its faces.
+Answer Planner::transmission() const {
+  if (!settings_.limits.effects.has(Effect::Transmission)) return {false, "it is switched off"};
+  SurfaceList surfaces;
+  for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
+    if (coarse_scene_.surfaces[i].is_glass) surfaces.push_back(i);
+  }
+  const std::size_t all = face_count(surfaces);
+  if (all == 0) return {false, "no face is glass"};
+  if (settings_.draws_normals) return {false, "only normals are rendered"};
+  return {true, fmt::format("{} {} glass", faces(all), all == 1 ? "is" : "are"), std::move(surfaces)};
 }
 
 // Light that reaches a visible face may have passed any other face.
@@ -263,6 +279,8 @@ Answer Planner::of(Effect effect) const {
       return interreflection(false);
     case Effect::MirrorReflection:
       return of_faces([](const CoarseSurface& surface) { return surface.is_specular; }, "a specular part");
+    case Effect::Transmission:
+      return transmission();
     case Effect::Anisotropy:
       return of_faces([](const CoarseSurface& surface) { return surface.is_anisotropic; },
                       "an anisotropic BRDF");

@@ -13,6 +13,7 @@
 #include "renderer/reflectance/diffuse.h"
 #include "renderer/reflectance/eon.h"
 #include "renderer/reflectance/ggx.h"
+#include "renderer/reflectance/glass.h"
 #include "renderer/reflectance/gltf.h"
 #include "renderer/reflectance/granier.h"
 #include "renderer/reflectance/hanrahan.h"
@@ -44,7 +45,7 @@ namespace reflectance {
 using FormulaBrdf =
     std::variant<Specular, Diffuse, Phong, Blinn, Lewis, Ward, Minnaert, Lafortune, Oren, Torrance, Coupled,
                  Ashikhmin, Schlick, Strauss, Neumann, BeardMaxwell, Kajiya, Hanrahan, Westin, Granier,
-                 Poulin, He, Eon, Ggx, Sheen, ThinFilm, Gltf, OpenPbr>;
+                 Poulin, He, Eon, Ggx, Sheen, ThinFilm, Gltf, OpenPbr, Glass>;
 
 template <class Variant, class... More>
 struct Extended;

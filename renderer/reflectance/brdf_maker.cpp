@@ -36,6 +36,7 @@ std::optional<Brdf> BrdfMaker::make(const grf::BrdfModel& data, const grf::Scope
         parts->push_back({summand.weight * part.weight, part.brdf, part.transmission});
       }
     } else {
+      warn_of_glass(*brdf, data);
       parts->push_back({summand.weight, *std::move(brdf), nullptr});
     }
   }
@@ -53,8 +54,16 @@ std::optional<Brdf> BrdfMaker::make_layered(const grf::BrdfModel& data, const gr
   const auto top = base && data.terms.size() > 1 ? make_term(data, 1, scope) : std::nullopt;
   --layers_;
   if (!base) return std::nullopt;
+  warn_of_glass(*base, data);
+  if (top) warn_of_glass(*top, data);
   if (data.terms.size() == 1) return layered(*base, reflectance::make<Coat>(data));
   return top ? std::optional<Brdf>(layered(*base, *top)) : std::nullopt;
+}
+
+void BrdfMaker::warn_of_glass(const Brdf& part, const grf::BrdfModel& whole) {
+  if (std::holds_alternative<Glass>(part))
+    diagnostics_.warning(whole.location,
+                         "glass lets nothing through in a sum or layer: it only reflects there");
 }
 
 std::optional<Brdf> BrdfMaker::make_term(const grf::BrdfModel& data, std::size_t term,

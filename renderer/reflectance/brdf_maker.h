@@ -36,6 +36,7 @@ class BrdfMaker {
   std::optional<Brdf> make_summand(const grf::BrdfModel& data);
   std::optional<Brdf> make_layered(const grf::BrdfModel& data, const grf::Scope& scope);
   std::optional<Brdf> make_term(const grf::BrdfModel& data, std::size_t term, const grf::Scope& scope);
+  void warn_of_glass(const Brdf& part, const grf::BrdfModel& whole);
   template <class Model>
   std::shared_ptr<const typename Model::Data> data_of(const grf::BrdfModel& data);
 

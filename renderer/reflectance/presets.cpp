@@ -110,6 +110,14 @@ const std::vector<PresetTable>& preset_tables() {
         {"velvet, black",
          "openpbr baseColor=0.02 diffuseRough=0.8 roughness=0.8 fuzzWeight=1 fuzzColor=0.4 "
          "fuzzRoughness=0.2"}}},
+      // Colours are those of panes of some millimetres, and of solids by their thickness in the scene's unit.
+      {"Glass",
+       {{"window pane", "glass thin=true colour=0.98"},
+        {"tinted pane", "glass thin=true colour=(0.45, 0.55, 0.52)"},
+        {"clear solid", "glass"},
+        {"green bottle", "glass ior=1.52 colour=(0.2, 0.6, 0.3) distance=0.1"},
+        {"water, solid", "glass ior=1.333 colour=(0.7, 0.9, 0.95) distance=1"},
+        {"diamond, solid", "glass ior=2.42"}}},
       // Cloth with a pile shines towards grazing over a dark base; satin has long threads on one side.
       {"Fabrics",
        {{"felt", "oren s=0.6 r=0.6"},

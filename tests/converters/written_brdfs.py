@@ -36,6 +36,7 @@ def rows():
     yield "oren s=0.4 r=0.25", 0.25, 0, 0
     yield "specular ks=(0.5, 0.25, 0.75)", 0, (0.5, 0.25, 0.75), inf
     yield "coupled Rm=0.5 R0=0.2", 0.5 * 0.8, 0.2, inf
+    yield "glass ior=3", 0, fresnel(3), inf
     yield "lewis n=20 ks=0.25 kd=0.5", 0.5, 0.25, 4 * 20
     yield "phong n=10 ks=0.3 kd=0.2", 0.2, 0.3 * 2 * pi / 12, 4 * 10
     yield "blinn n=10 ks=0.3 kd=0.2", 0.2, 0.3 * 8 * pi * (10 + 2 ** -5) / (12 * 14), 10

@@ -174,6 +174,14 @@ TEST(SwitchedOff, TheMirrorPartReflectsNothing) {
   expect_with_and_without(sum, setup, Effect::MirrorReflection, Rgb(0.7F), Rgb(0.4F), 0.02);
 }
 
+// Of a pane, 2 F/(1 + F) is reflected, and F is 0.04; the rest shines through.
+TEST(SwitchedOff, TransmissionIsReflectionAlone) {
+  PlannedRender setup = look_at_middle();
+  setup.samples = 4096;
+  expect_with_and_without(wall_of("brdf glass thin=true"), setup, Effect::Transmission, Rgb(1),
+                          Rgb(0.08F / 1.04F), 0.02);
+}
+
 // A lamp of 4 m2 at a distance of 100 m, whose irradiance is pi: kd times the cosine.
 TEST(SwitchedOff, InterpolatedNormalsAreThoseOfThePolygons) {
   const std::string lamp = "light begin rgb (7853.98,7853.98,7853.98) (-1,-1,100) (0,2,0) (2,0,0) end ";

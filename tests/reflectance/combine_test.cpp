@@ -124,13 +124,27 @@ TEST(Identity, TellsSumsOfOtherThingsApart) {
   EXPECT_NE(identities[0], identities[1]);
 }
 
+TEST(BrdfMaker, WarnsOfGlassThatLetsNothingThrough) {
+  for (const char* whole : {"combine 0.5 a, 0.5 b", "coat base=a", "layer base=b top=a"}) {
+    grf::Diagnostics diagnostics;
+    EXPECT_TRUE(
+        brdf_in(std::string("def a = brdf glass b = brdf diffuse c = brdf ") + whole, "c", diagnostics));
+    ASSERT_GE(diagnostics.entries().size(), 1U) << whole;
+    EXPECT_EQ(diagnostics.entries()[0].message,
+              "glass lets nothing through in a sum or layer: it only reflects there");
+  }
+  grf::Diagnostics diagnostics;
+  EXPECT_TRUE(brdf_in("def a = brdf glass", "a", diagnostics));
+  EXPECT_TRUE(diagnostics.entries().empty());
+}
+
 TEST(BrdfMaker, SaysWhatCannotBeMade) {
   grf::Diagnostics diagnostics;
-  EXPECT_FALSE(brdf_in("def a = brdf glass", "a", diagnostics));
+  EXPECT_FALSE(brdf_in("def a = brdf unheard", "a", diagnostics));
   EXPECT_FALSE(brdf_in("def a = brdf measured", "a", diagnostics));
   EXPECT_FALSE(brdf_in("def a = brdf ward \"ward.binary\"", "a", diagnostics));
   ASSERT_EQ(diagnostics.entries().size(), 3U);
-  EXPECT_EQ(diagnostics.entries()[0].message, "'glass' cannot be rendered");
+  EXPECT_EQ(diagnostics.entries()[0].message, "'unheard' cannot be rendered");
   EXPECT_EQ(diagnostics.entries()[1].message, "'measured' needs the name of a data file");
   EXPECT_EQ(diagnostics.entries()[2].message, "'ward' takes no data file");
 }

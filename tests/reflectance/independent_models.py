@@ -498,6 +498,20 @@ def coupled_mirror(p, u):
     return schlick_fresnel(p.R0, u.theta)
 
 
+def glass_mirror(p, u):
+    """Of a pane, with each of the beams that come back from inside."""
+    surface = fresnel(u.theta, p.ior, 0)
+    if not p.thin:
+        return surface
+    left = p.colour ** (1 / cos(asin(sin(u.theta) / p.ior)))
+    total, beam = surface, (1 - surface) * left
+    for side in range(1000):
+        if side % 2 == 1:
+            total += beam * (1 - surface)
+        beam *= surface * left
+    return total
+
+
 def ashikhmin(p, u, v):
     delta, phi, beta = angles_of_half(u, v)
     exponent = p.ex * cos(phi) ** 2 + p.ey * sin(phi) ** 2
@@ -615,8 +629,9 @@ FUNCTIONS = {function.__name__: function for function in (
     beardmaxwell, kajiya, hanrahan, westin, granier, poulin, he, eon, ggx, sheen, thinfilm, gltf,
     openpbr)}
 FUNCTIONS['specular'] = black
+FUNCTIONS['glass'] = black
 MIRRORS = {'specular': lambda p, u: p.ks, 'coupled': coupled_mirror, 'schlick': schlick_mirror, 'he': he_mirror,
-           'westin': westin_mirror}
+           'westin': westin_mirror, 'glass': glass_mirror}
 DEFAULTS = {
     'specular': 'ks=1',
     'diffuse': 'kd=0.5',
@@ -629,6 +644,7 @@ DEFAULTS = {
     'oren': 's=0.3 r=0.5',
     'torrance': 'rough=0.35 nreal=1.5 nimag=0 ks=0.7 kd=0.3',
     'coupled': 'Rm=0.5 R0=0.05',
+    'glass': 'ior=1.5 colour=1 distance=1 thin=false',
     'ashikhmin': 'ex=25 ey=@ex Rs=0.39 Rd=0.6',
     'schlick': 'SC=0.7 Sr=0.31 Sp=1 Ly=false DC=0.5 Dr=1 Dp=1',
     'strauss': 's=0.5 m=0 ks=0.5 kd=0.5',
@@ -650,7 +666,7 @@ DEFAULTS = {
     'thinfilm': 'alpha=0.1 ay=@alpha thickness=300 film=1.33 nreal=1.5 nimag=0 ks=1',
     'ggx': 'alpha=0.3 ay=@alpha anisotropy=0 rotation=0 nreal=1.5 nimag=0 F0=0 F82=1 ks=1 scattering=reciprocal',
 }
-ALIASES = {'torrance': {'m': 'rough'}, 'ashikhmin': {'nu': 'ex', 'nv': 'ey', 'ks': 'Rs', 'kd': 'Rd'}, 'coupled': {'Ro': 'R0'},
+ALIASES = {'torrance': {'m': 'rough'}, 'ashikhmin': {'nu': 'ex', 'nv': 'ey', 'ks': 'Rs', 'kd': 'Rd'}, 'coupled': {'Ro': 'R0'}, 'glass': {'color': 'colour'},
            'ggx': {'ax': 'alpha', 'ior': 'nreal'}, 'gltf': {'clearcoatRoughness': 'coatRoughness', 'iridescenceThicknessMaximum': 'filmThickness'}}
 
 

@@ -47,6 +47,7 @@ DOCUMENTED = [
     'gltf baseColor=(0.8, 0.25, 0.1) metallic=0 roughness=0.35 clearcoat=0.5 coatRoughness=0.4',
     'openpbr baseColor=(0.6, 0.1, 0.05) metalness=0.5 roughness=0.4 coatWeight=1 coatRoughness=0.3',
     'thinfilm alpha=0.1 thickness=350 film=1.5 nreal=2.5 nimag=3.4 ks=1',
+    'glass ior=1.5 colour=(0.7, 0.9, 0.8) distance=0.1',
     'oren s=0 r=1', 'schlick SC=0.7 Sr=0.31 Sp=1 Ly=true DC=1 Dr=0 Dp=1',
 ]
 DOCUMENTED_VIEWS = [(0, 0), (45, 0), (80, 0)]
@@ -91,6 +92,7 @@ CHOSEN = [
      [(30, 0)]),
     ('thinfilm alpha=0.3 ay=0.5 thickness=420 film=1.33 nreal=1 ks=(0.9,0.7,0.5)', [(25, 10), (65, 100)]),
     ('thinfilm alpha=0.5 thickness=150 film=2.2 nreal=(0.2,0.6,1.4) nimag=(3.6,2.5,1.9)', [(40, 30)]),
+    ('glass ior=1.8 colour=(0.9,0.5,0.2) thin=true', [(30, 10), (75, 200)]),
     ('sheen rough=0.65 ks=(0.9,0.5,0.3)', [(30, 10), (75, 200)]),
     ('torrance rough=0.5 nreal=1.5 nimag=0 ks=(0.9, 0.5, 0.3) kd=(0.1, 0.2, 0.3)', [(25, 10), (70, 200)]),
     ('torrance rough=0.25 nreal=2.485 nimag=3.433 ks=0.6 kd=0.2', [(60, 0)]),
@@ -256,7 +258,7 @@ def check_document(table):
             if len(channels) != len(got) or not all(
                     isinstance(b, float) and abs(a - b) <= 6e-4 + 2e-3 * b for a, b in zip(got, channels)):
                 failures.append(f'{DOCUMENT}: {text}: {got}, expected {right}')
-    return failures + ([] if seen == 44 else [f'{DOCUMENT}: {seen} rows of albedos, expected 44'])
+    return failures + ([] if seen == 45 else [f'{DOCUMENT}: {seen} rows of albedos, expected 45'])
 
 
 def same_for_all_spellings(text):

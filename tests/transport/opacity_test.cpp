@@ -193,7 +193,7 @@ TEST(Opacity, HasNoLoopholesForLightWhereFacesLieInOnePlane) {
   const CompiledScene scene = test::scene_of(upright("opacity 0.5", 0) + upright("brdf diffuse", 0));
   for (float x = -0.9F; x < 1; x += 0.1F) {
     const transport::Ray ray{Vec3f(x, 0.35F, 1), Vec3f(0, 0, -1)};
-    EXPECT_EQ(scene.transmittance(ray), 0);
+    EXPECT_EQ(scene.transmittance(ray), Rgb(0));
     for (std::uint32_t chance = 0; chance < 8; ++chance) EXPECT_TRUE(scene.intersect(ray, chance));
   }
 }
@@ -202,8 +202,8 @@ TEST(Opacity, MultipliesWhatFacesLetPass) {
   const CompiledScene scene =
       test::scene_of(upright("opacity 0.25", 0) + upright("opacity 0.5", 1) + upright("opacity 0", 2));
   const transport::Ray ray{Vec3f(0.1F, 0.3F, 3), Vec3f(0, 0, -1)};
-  EXPECT_EQ(scene.transmittance(ray), 0.375F);
-  EXPECT_EQ(scene.transmittance_to_end({ray.origin, Vec3f(0, 0, -2.5F)}), 0.5F);
+  EXPECT_EQ(scene.transmittance(ray), Rgb(0.375F));
+  EXPECT_EQ(scene.transmittance_to_end({ray.origin, Vec3f(0, 0, -2.5F)}), Rgb(0.5F));
   const auto front = scene.intersect(ray, 1);
   int hits = 0;
   for (std::uint32_t chance = 0; chance < 10'000; ++chance) hits += scene.intersect(ray, chance) ? 1 : 0;

@@ -16,6 +16,7 @@ PathEffects path_effects(const CompiledScene& scene, const IntegratorSettings& s
   effects.environment = settings.environment != nullptr;
   effects.resampling = settings.environment && settings.resampling;
   effects.needs_general_bsdf = settings.measures_sampling || !scene.is_diffuse();
+  effects.transmission = scene.has_glass();
   return effects;
 }
 

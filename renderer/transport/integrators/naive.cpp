@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "renderer/transport/integrators/glass_scattering.h"
 #include "renderer/transport/integrators/shading_point.h"
 #include "renderer/transport/processor_clock.h"
 
@@ -12,6 +13,15 @@ using reflectance::Reflector;
 using reflectance::ScatterSample;
 using reflectance::Uniforms;
 
+/// A ray on its way, which may lead through panes and solids of glass.
+struct Way {
+  Ray ray;
+  Rgb throughput = Rgb(1);
+  Rgb radiance = Rgb(0);                       ///< of panes that it has passed
+  const reflectance::Glass* inside = nullptr;  ///< the solid that it is in; null: none
+  Rgb pane_weight = Rgb(1);                    ///< of the reflection by the pane that it has hit
+};
+
 class NaivePaths {
  public:
   NaivePaths(const CompiledScene& scene, const IntegratorSettings& settings, PathSampler& sampler,
@@ -21,11 +31,13 @@ class NaivePaths {
   Rgb run(const Ray& ray, const std::optional<Rgb>& backplate);
 
  private:
-  Rgb follow(Ray ray, int path, bool was_scattered);
+  Rgb follow(Way way, int path, bool was_scattered);
+  Rgb mean_of_secondary(const ShadingPoint& shading, const Way& way);
   std::vector<ScatterSample> draw_secondary(const ShadingPoint& shading);
   std::optional<ScatterSample> draw(const ShadingPoint& shading, const Uniforms& xi);
-  std::optional<SurfacePoint> intersect(const Ray& ray);
+  std::optional<SurfacePoint> next_point(Way& way);
   std::optional<Ray> scattered(const ShadingPoint& shading, const ScatterSample& drawn) const;
+  bool scatter_at_glass(const ShadingPoint& shading, float xi, Way& way) const;
   Rgb emission(const SurfacePoint& point, const Ray& ray) const;
   Rgb radiance_from_outside(const Ray& ray) const;
   const SampleSet& points_of(int bounces);
@@ -42,9 +54,51 @@ class NaivePaths {
 
 Uniforms uniforms(const Uniform4& xi) { return {xi.xy(), xi.z}; }
 
-std::optional<SurfacePoint> NaivePaths::intersect(const Ray& ray) {
-  ++counter_.rays;
-  return scene_.intersect(ray, scene_.has_cutouts() ? hash(word_, casts_++) : 0);
+/// Returns the point that a ray meets next, behind the panes that it passes.
+std::optional<SurfacePoint> NaivePaths::next_point(Way& way) {
+  for (;;) {
+    ++counter_.rays;
+    auto point = scene_.intersect(way.ray, scene_.has_cutouts() ? hash(word_, casts_++) : 0);
+    if (way.inside != nullptr) {
+      way.throughput *= point ? way.inside->left_after((point->position - way.ray.origin).length())
+                              : left_outside(way.inside);
+    }
+    if (!point || !point->surface->is_pane) return point;
+    const Reflector* reflector = scene_.reflector(*point->surface);
+    const auto drawn = sample_pane(glass_of(*reflector), *point, way.ray.direction,
+                                   settings_.reflects_specular, hash(word_, casts_++));
+    way.pane_weight = drawn ? drawn->weight : Rgb(0);
+    if (!drawn || !drawn->passes) return point;
+    way.radiance += way.throughput * emission(*point, way.ray);
+    way.throughput *= drawn->weight * point->colour;
+    way.ray = behind_pane(*point, way.ray);
+  }
+}
+
+/// Goes on after glass. False if nothing does.
+bool NaivePaths::scatter_at_glass(const ShadingPoint& shading, float xi, Way& way) const {
+  const reflectance::Glass& glass = glass_of(shading.reflector);
+  const bool is_inside = way.ray.direction.dot(shading.point.geometric_normal) > 0;
+  GlassSample drawn = {false, way.pane_weight};
+  reflectance::Glass::Split split;
+  if (!shading.point.surface->is_pane) {
+    split = glass.split(shading.u.z, is_inside);
+    const auto chosen = sample_glass(split, settings_.reflects_specular, xi);
+    if (!chosen) return false;
+    drawn = *chosen;
+  }
+  way.throughput *= drawn.weight * shading.point.colour;
+  if (!drawn.passes) {
+    const auto ray = scattered(shading, {reflectance::mirrored(shading.u), drawn.weight, 0, true});
+    if (ray) way.ray = *ray;
+    return ray.has_value();
+  }
+  const auto through = refracted(shading, glass, split.refracted_cosine, is_inside);
+  if (!through) return false;
+  way.ray = through->ray;
+  way.throughput *= through->radiance_factor;
+  way.inside = is_inside ? nullptr : &glass;
+  return true;
 }
 
 Rgb NaivePaths::emission(const SurfacePoint& point, const Ray& ray) const {
@@ -98,45 +152,70 @@ std::optional<Ray> NaivePaths::scattered(const ShadingPoint& shading, const Scat
 }
 
 /// The radiance along a ray that was scattered once, or reflected specularly.
-Rgb NaivePaths::follow(Ray ray, int path, bool was_scattered) {
-  Rgb throughput(1);
+Rgb NaivePaths::follow(Way way, int path, bool was_scattered) {
   Rgb radiance(0);
   for (int bounces = 1;; ++bounces) {
-    const auto point = intersect(ray);
-    if (!point) return radiance + throughput * radiance_from_outside(ray);
-    radiance += throughput * emission(*point, ray);
+    const auto point = next_point(way);
+    if (!point) return radiance + way.radiance + way.throughput * radiance_from_outside(way.ray);
+    radiance += way.throughput * emission(*point, way.ray);
     const Reflector* reflector = scene_.reflector(*point->surface);
-    if (reflector == nullptr || bounces >= settings_.depth) return radiance;
-    if (was_scattered && !point->surface->interreflects) return radiance;
-    const ShadingPoint shading(*point, *reflector, -ray.direction);
-    const auto drawn = draw(shading, uniforms(points_of(bounces)[path]));
-    if (!drawn) return radiance;
-    throughput *= drawn->weight * point->colour;
-    const auto next = scattered(shading, *drawn);
-    if (!next || reflectance::is_black(throughput)) return radiance;
-    was_scattered = was_scattered || !drawn->is_specular;
-    ray = *next;
+    if (reflector == nullptr || bounces >= settings_.depth) return radiance + way.radiance;
+    if (was_scattered && !point->surface->interreflects) return radiance + way.radiance;
+    const ShadingPoint shading(*point, *reflector, -way.ray.direction);
+    const Uniforms xi = uniforms(points_of(bounces)[path]);
+    if (point->surface->is_glass) {
+      if (!scatter_at_glass(shading, xi.choice, way)) return radiance + way.radiance;
+    } else {
+      const auto drawn = draw(shading, xi);
+      if (!drawn) return radiance + way.radiance;
+      way.throughput *= drawn->weight * point->colour;
+      const auto next = scattered(shading, *drawn);
+      if (!next) return radiance + way.radiance;
+      was_scattered = was_scattered || !drawn->is_specular;
+      way.ray = *next;
+    }
+    if (reflectance::is_black(way.throughput)) return radiance + way.radiance;
   }
 }
 
-Rgb NaivePaths::run(const Ray& ray, const std::optional<Rgb>& backplate) {
-  const auto point = intersect(ray);
-  if (!point && backplate) counter_.check_finite("backplate", *backplate, nullptr);
-  if (!point) return backplate ? *backplate : radiance_from_outside(ray);
-  const Rgb own = emission(*point, ray);
-  const Reflector* reflector = scene_.reflector(*point->surface);
-  if (reflector == nullptr || settings_.depth == 0) return own;
-  const ShadingPoint shading(*point, *reflector, -ray.direction);
+/// The mean radiance of many paths from the first hit.
+Rgb NaivePaths::mean_of_secondary(const ShadingPoint& shading, const Way& way) {
   Imath::V3d sum(0);
+  const Way start{way.ray, Rgb(1), Rgb(0), way.inside, way.pane_weight};
+  if (shading.point.surface->is_glass) {
+    for (int path = 0; path < settings_.secondary_rays; ++path) {
+      Way next = start;
+      if (scatter_at_glass(shading, points_of(0)[path].z, next)) sum += Imath::V3d(follow(next, path, false));
+    }
+    return Rgb(sum / settings_.secondary_rays);
+  }
   int path = 0;
   for (const ScatterSample& drawn : draw_secondary(shading)) {
-    const Rgb weight = drawn.weight * point->colour;
-    const auto next = scattered(shading, drawn);
-    if (next && !reflectance::is_black(weight))
-      sum += Imath::V3d(weight * follow(*next, path, !drawn.is_specular));
+    const Rgb weight = drawn.weight * shading.point.colour;
+    const auto ray = scattered(shading, drawn);
+    if (ray && !reflectance::is_black(weight)) {
+      Way next = start;
+      next.ray = *ray;
+      sum += Imath::V3d(weight * follow(next, path, !drawn.is_specular));
+    }
     ++path;
   }
-  return own + Rgb(sum / settings_.secondary_rays);
+  return Rgb(sum / settings_.secondary_rays);
+}
+
+Rgb NaivePaths::run(const Ray& ray, const std::optional<Rgb>& backplate) {
+  Way way{ray};
+  const auto point = next_point(way);
+  if (!point && backplate) counter_.check_finite("backplate", *backplate, nullptr);
+  if (!point) {
+    const Rgb outside = backplate ? *backplate : radiance_from_outside(way.ray);
+    return way.radiance + way.throughput * outside;
+  }
+  const Rgb own = way.radiance + way.throughput * emission(*point, way.ray);
+  const Reflector* reflector = scene_.reflector(*point->surface);
+  if (reflector == nullptr || settings_.depth == 0) return own;
+  const ShadingPoint shading(*point, *reflector, -way.ray.direction);
+  return own + way.throughput * mean_of_secondary(shading, way);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "renderer/transport/integrators/glass_scattering.h"
 #include "renderer/transport/integrators/power_heuristic.h"
 #include "renderer/transport/integrators/shading_point.h"
 #include "renderer/transport/lights/environment_probability.h"
@@ -58,6 +59,10 @@ class Path {
   Reflection reflect(const ShadingPoint& shading, const Vec3f& v) const;
   std::optional<ScatterSample> sample(const ShadingPoint& shading, const Uniform4& xi);
   bool scatter(const ShadingPoint& shading, const Uniform4& xi);
+  bool leave(const ShadingPoint& shading, const Vec3f& direction, float pdf);
+  bool scatter_at_glass(const ShadingPoint& shading, float xi);
+  std::optional<SurfacePoint> next_point();
+  bool passes_pane(const SurfacePoint& point);
   bool has_irradiance(const SurfacePoint& point, const Reflector& reflector) const;
   bool survives(float xi);
   Rgb split(const ShadingPoint& shading, int bounces);
@@ -86,6 +91,9 @@ class Path {
   bool may_split_ = true;             ///< no non-specular hit yet
   int split_count_ = 1;               ///< number of paths that continue from this hit
   Vec3f light_direction_ = Vec3f(0);  ///< to the last light sample that could be reflected
+  // Set only where there is glass.
+  const reflectance::Glass* inside_ = nullptr;  ///< the solid that the ray is in; null: none
+  Rgb pane_weight_ = Rgb(1);                    ///< of the reflection by the pane that the ray has hit
   // Set only where contributions are listed.
   int bounces_ = 0;                              ///< before the current ray
   std::uint32_t from_reflector_ = InvalidIndex;  ///< of the point that the ray was scattered from
@@ -201,8 +209,10 @@ void Path<Has>::add_area_light(const ShadingPoint& shading, float choice, const 
   if (!ray) return;
   ++counter_.rays;
   check_finite("radiance of a light", light->radiance, &shading.point);
-  const float passed = scene_.transmittance_to_end(*ray, light->emitter) * scene_.opacity_at(*light);
-  if (passed > 0) add_reflected(shading, *lit * light->radiance * passed, light->emitter);
+  Rgb passed = scene_.transmittance_to_end(*ray, light->emitter) * scene_.opacity_at(*light);
+  if (reflectance::is_black(passed)) return;
+  if constexpr (Has.transmission) passed *= left_after(inside_, ray->direction.length());
+  add_reflected(shading, *lit * light->radiance * passed, light->emitter);
 }
 
 template <PathEffects Has>
@@ -214,8 +224,10 @@ void Path<Has>::add_environment_light(const ShadingPoint& shading, const Vec2f& 
   const auto ray = shading.ray_towards(scene_, light->direction, counter_.rays);
   if (!ray) return;
   ++counter_.rays;
-  const float passed = scene_.transmittance(*ray);
-  if (passed > 0) add_reflected(shading, *lit * light->radiance * passed, InvalidIndex);
+  Rgb passed = scene_.transmittance(*ray);
+  if (reflectance::is_black(passed)) return;
+  if constexpr (Has.transmission) passed *= left_outside(inside_);
+  add_reflected(shading, *lit * light->radiance * passed, InvalidIndex);
 }
 
 // The path continues in a direction of its own, not one of the candidates: a direction chosen by the map's
@@ -234,8 +246,9 @@ void Path<Has>::add_resampled_light(const ShadingPoint& shading) {
     const auto ray = shading.ray_towards(scene_, direction, counter_.rays);
     if (!ray) return;
     ++counter_.rays;
-    const float passed = scene_.transmittance(*ray);
-    if (!(passed > 0)) return;
+    Rgb passed = scene_.transmittance(*ray);
+    if (reflectance::is_black(passed)) return;
+    if constexpr (Has.transmission) passed *= left_outside(inside_);
     check_finite("resampled light", estimate, &shading.point);
     add_reflected(shading, throughput_ * shading.point.colour * estimate * passed, InvalidIndex);
   };
@@ -258,6 +271,9 @@ std::optional<ScatterSample> Path<Has>::sample(const ShadingPoint& shading, cons
 
 template <PathEffects Has>
 bool Path<Has>::scatter(const ShadingPoint& shading, const Uniform4& xi) {
+  if constexpr (Has.transmission) {
+    if (shading.point.surface->is_glass) return scatter_at_glass(shading, xi.z);
+  }
   const auto drawn = sample(shading, xi);
   if (!drawn || (drawn->is_specular && !settings_.reflects_specular)) return false;
   const Vec3f direction = shading.frame.to_world(drawn->direction);
@@ -265,8 +281,14 @@ bool Path<Has>::scatter(const ShadingPoint& shading, const Uniform4& xi) {
   check_finite("weight of a sampled direction", drawn->weight, &shading.point);
   throughput_ *= drawn->weight * shading.point.colour;
   if (reflectance::is_black(throughput_)) return false;
+  return leave(shading, direction, drawn->is_specular ? 0 : static_cast<float>(split_count_) * drawn->pdf);
+}
+
+/// Leaves a surface in a direction above it that was drawn with this pdf; 0 for specular reflection.
+template <PathEffects Has>
+bool Path<Has>::leave(const ShadingPoint& shading, const Vec3f& direction, float pdf) {
   if constexpr (Has.observe) from_reflector_ = shading.point.surface->reflector;
-  pdf_ = drawn->is_specular ? 0 : static_cast<float>(split_count_) * drawn->pdf;
+  pdf_ = pdf;
   from_ = shading.point.position;
   from_normal_ = shading.frame.z;
   const auto ray = shading.ray_towards(scene_, direction, counter_.rays);
@@ -278,6 +300,67 @@ bool Path<Has>::scatter(const ShadingPoint& shading, const Uniform4& xi) {
     was_scattered_ = true;
   }
   return true;
+}
+
+template <PathEffects Has>
+bool Path<Has>::scatter_at_glass(const ShadingPoint& shading, float xi) {
+  const reflectance::Glass& glass = glass_of(shading.reflector);
+  const bool is_inside = ray_.direction.dot(shading.point.geometric_normal) > 0;
+  GlassSample drawn = {false, pane_weight_};  // a pane that lets the path pass is none of its hits
+  reflectance::Glass::Split split;
+  if (!shading.point.surface->is_pane) {
+    split = glass.split(shading.u.z, is_inside);
+    const auto chosen = sample_glass(split, settings_.reflects_specular, xi);
+    if (!chosen) return false;
+    drawn = *chosen;
+  }
+  check_finite("weight of a sampled direction", drawn.weight, &shading.point);
+  throughput_ *= drawn.weight * shading.point.colour;
+  if (reflectance::is_black(throughput_)) return false;
+  if (!drawn.passes) {
+    const Vec3f direction = shading.frame.to_world(reflectance::mirrored(shading.u));
+    return shading.is_above(direction) && leave(shading, direction, 0);
+  }
+  const auto through = refracted(shading, glass, split.refracted_cosine, is_inside);
+  if (!through) return false;
+  if constexpr (Has.observe) from_reflector_ = shading.point.surface->reflector;
+  pdf_ = 0;
+  ray_ = through->ray;
+  throughput_ *= through->radiance_factor;
+  inside_ = is_inside ? nullptr : &glass;
+  return true;
+}
+
+/// Chooses whether the path passes a pane, and if so, goes on behind it: the pane is none of its hits, so
+/// that light sampling and BRDF sampling through it agree on the path's length and pdf.
+template <PathEffects Has>
+bool Path<Has>::passes_pane(const SurfacePoint& point) {
+  const Reflector* reflector = scene_.reflector(*point.surface);
+  const auto drawn =
+      sample_pane(glass_of(*reflector), point, ray_.direction, settings_.reflects_specular, sampler_.word());
+  pane_weight_ = drawn ? drawn->weight : Rgb(0);
+  if (!drawn || !drawn->passes) return false;
+  add_emission(point);
+  throughput_ *= drawn->weight * point.colour;
+  ray_ = behind_pane(point, ray_);
+  return true;
+}
+
+/// Returns the point that the path meets next.
+template <PathEffects Has>
+std::optional<SurfacePoint> Path<Has>::next_point() {
+  for (;;) {
+    ++counter_.rays;
+    auto point = scene_.intersect(ray_, scene_.has_cutouts() ? sampler_.word() : 0);
+    if constexpr (Has.transmission) {
+      if (inside_ != nullptr) {
+        throughput_ *=
+            point ? inside_->left_after((point->position - ray_.origin).length()) : left_outside(inside_);
+      }
+      if (point && point->surface->is_pane && passes_pane(*point)) continue;
+    }
+    return point;
+  }
 }
 
 // Russian roulette, only for paths whose throughput is below a third: ending others costs more error than it
@@ -333,8 +416,7 @@ template <PathEffects Has>
 Rgb Path<Has>::run(const std::optional<Rgb>& backplate, int bounces) {
   for (;; ++bounces) {
     if constexpr (Has.observe) bounces_ = bounces;
-    ++counter_.rays;
-    const auto point = scene_.intersect(ray_, scene_.has_cutouts() ? sampler_.word() : 0);
+    const auto point = next_point();
     if (!point) {
       const Rgb outside = backplate && bounces == 0 ? check_finite("backplate", *backplate, nullptr)
                                                     : radiance_from_outside();
@@ -395,19 +477,25 @@ constexpr PathKernel kernel_with() {
   return {Has, &path_radiance<Has>, &path_gathered<Has>};
 }
 
-constexpr PathEffects DiffuseUnderLights = {
-    .area_lights = true, .environment = false, .resampling = false, .needs_general_bsdf = false};
-constexpr PathEffects UnderLights = {.area_lights = true, .environment = false, .resampling = false};
-constexpr PathEffects UnderEnvironment = {.area_lights = false, .resampling = false};
+constexpr PathEffects DiffuseUnderLights = {.area_lights = true,
+                                            .environment = false,
+                                            .resampling = false,
+                                            .needs_general_bsdf = false,
+                                            .transmission = false};
+constexpr PathEffects UnderLights = {
+    .area_lights = true, .environment = false, .resampling = false, .transmission = false};
+constexpr PathEffects UnderEnvironment = {.area_lights = false, .resampling = false, .transmission = false};
+constexpr PathEffects Opaque = {.transmission = false};
 constexpr PathEffects All;
 
 /// From the cheapest to the most general.
 constexpr std::array Kernels = {kernel_with<DiffuseUnderLights>(), kernel_with<UnderLights>(),
-                                kernel_with<UnderEnvironment>(), kernel_with<All>()};
+                                kernel_with<UnderEnvironment>(), kernel_with<Opaque>(), kernel_with<All>()};
 
 bool covers(const PathEffects& kernel, const PathEffects& wanted) {
   return kernel.area_lights >= wanted.area_lights && kernel.environment >= wanted.environment &&
-         kernel.resampling >= wanted.resampling && kernel.needs_general_bsdf >= wanted.needs_general_bsdf;
+         kernel.resampling >= wanted.resampling && kernel.needs_general_bsdf >= wanted.needs_general_bsdf &&
+         kernel.transmission >= wanted.transmission;
 }
 
 constexpr PathEffects Observing = {.observe = true};

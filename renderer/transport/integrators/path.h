@@ -10,6 +10,7 @@ struct PathEffects {
   bool environment = true;
   bool resampling = true;
   bool needs_general_bsdf = true;  ///< BRDFs besides `diffuse`, or sampling schemes besides its own
+  bool transmission = true;        ///< glass
   bool observe = false;            ///< looks for terms that are not finite, and lists contributions
 
   bool operator==(const PathEffects&) const = default;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "renderer/transport/scene/hit.h"
 #include "renderer/transport/sobol.h"
@@ -49,7 +50,8 @@ CompiledScene::CompiledScene(std::shared_ptr<const Geometry> geometry, RayCaster
       textures_(std::move(textures)),
       lights_(std::move(emitters)),
       caster_(std::move(caster)),
-      has_cutouts_(std::ranges::any_of(geometry_->meshes, &TriangleMesh::has_cutouts)) {}
+      has_cutouts_(std::ranges::any_of(geometry_->meshes, &TriangleMesh::has_cutouts)),
+      has_glass_(std::ranges::any_of(surfaces_, &CompiledSurface::is_glass)) {}
 
 /// Stops a ray at each triangle by chance, by a hash of the triangle: the order of hits does not matter.
 class CompiledScene::NearestStop : public HitFilter {
@@ -78,14 +80,18 @@ class CompiledScene::Passage : public HitFilter {
 
   bool stops(const TriangleHit& hit) override {
     const float opacity = scene_.opacity_at(hit, ray_);
-    if (opacity >= 1) return true;
-    if (opacity > 0) passed_.push_back({{hit.id.instance, hit.id.triangle}, 1 - opacity});
-    return false;
+    const CompiledSurface& surface = scene_.surface_at(hit);
+    if (opacity >= 1 && !surface.is_pane) return true;
+    if (!(opacity > 0)) return false;
+    Rgb passed(1 - opacity);
+    if (surface.is_pane) passed += scene_.passing_pane(hit, ray_, surface) * opacity;
+    passed_.push_back({{hit.id.instance, hit.id.triangle}, passed});
+    return reflectance::is_black(passed);
   }
 
-  float transmittance() {
-    std::ranges::sort(passed_);
-    float product = 1;
+  Rgb transmittance() {
+    std::ranges::sort(passed_, {}, [](const auto& passed) { return passed.first; });
+    Rgb product(1);
     for (std::size_t i = 0; i < passed_.size(); ++i) {
       if (i == 0 || passed_[i].first != passed_[i - 1].first) product *= passed_[i].second;
     }
@@ -95,13 +101,17 @@ class CompiledScene::Passage : public HitFilter {
  private:
   const CompiledScene& scene_;
   const Ray& ray_;
-  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, float>> passed_;
+  std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, Rgb>> passed_;
 };
 
-float CompiledScene::opacity_at(const TriangleHit& hit, const Ray& ray) const {
+const CompiledSurface& CompiledScene::surface_at(const TriangleHit& hit) const {
   const Instance& instance = geometry_->instances[hit.id.instance];
   const Triangle& triangle = geometry_->meshes[instance.mesh].triangles[hit.id.triangle];
-  const CompiledSurface& surface = surfaces_[instance.first_surface + triangle.surface];
+  return surfaces_[instance.first_surface + triangle.surface];
+}
+
+float CompiledScene::opacity_at(const TriangleHit& hit, const Ray& ray) const {
+  const CompiledSurface& surface = surface_at(hit);
   if (surface.alpha == InvalidIndex) return surface.opacity.value;
   const HitTriangle met(*geometry_, hit, ray);
   const Texture& texture = *textures_[surface.alpha].texture;
@@ -111,6 +121,26 @@ float CompiledScene::opacity_at(const TriangleHit& hit, const Ray& ray) const {
   }
   return surface.opacity.value *
          texture.alpha(met.uv(), met.uv_scale() * ray.cone.at(hit.distance * ray.direction.length()).width);
+}
+
+Rgb CompiledScene::colour_at(const HitTriangle& hit, const CompiledSurface& surface, float width) const {
+  Rgb colour = surface.colour * hit.vertex_colour();
+  if (surface.texture != InvalidIndex) {
+    const Texture& texture = *textures_[surface.texture].texture;
+    colour *= texture.lookup(hit.uv(), hit.uv_scale() * width);
+  }
+  return colour;
+}
+
+/// Returns what a pane lets pass of light along a ray.
+Rgb CompiledScene::passing_pane(const TriangleHit& hit, const Ray& ray,
+                                const CompiledSurface& surface) const {
+  const auto* glass = std::get_if<reflectance::Glass>(&reflector(surface)->brdf());
+  const HitTriangle met(*geometry_, hit, ray);
+  const float length = ray.direction.length();
+  const float cosine = std::abs(ray.direction.dot(met.point().geometric_normal)) / length;
+  const float width = ray.cone.at(hit.distance * length).width;
+  return glass->split(cosine, false).transmitted * colour_at(met, surface, width);
 }
 
 float CompiledScene::opacity_of_emitter(const LightSample& light) const {
@@ -132,12 +162,8 @@ std::optional<SurfacePoint> CompiledScene::intersect(const Ray& ray, std::uint32
   const CompiledSurface& surface = surfaces_[hit.instance().first_surface + hit.triangle().surface];
   std::optional<SurfacePoint> point = hit.point();
   point->surface = &surface;
-  point->colour = surface.colour * hit.vertex_colour();
+  point->colour = colour_at(hit, surface, point->cone.width);
   point->irradiance = hit.irradiance();
-  if (surface.texture != InvalidIndex) {
-    const Texture& texture = *textures_[surface.texture].texture;
-    point->colour *= texture.lookup(hit.uv(), hit.uv_scale() * point->cone.width);
-  }
   if (surface.is_anisotropic) point->tangent = hit.tangent(surface.axis, point->shading_normal);
   if (!reflectance::is_black(surface.emission)) {
     const TriangleMesh& mesh = geometry_->meshes[hit.instance().mesh];
@@ -201,18 +227,18 @@ Vec3d CompiledScene::off_faces(const Vec3d& point, const Vec3d& direction) const
   return moved;
 }
 
-float CompiledScene::transmittance_to_end(const Ray& ray, std::uint32_t emitter) const {
+Rgb CompiledScene::transmittance_to_end(const Ray& ray, std::uint32_t emitter) const {
   Passage passage(*this, ray);
   const bool has_emitter = emitter != InvalidIndex;
   const TriangleId target = has_emitter ? geometry_->emitter_triangles[emitter] : TriangleId();
   const std::uint32_t count = !has_emitter ? 0 : lights_[emitter].is_triangle ? 1 : 2;
-  if (caster_.is_occluded(ray, target, count, has_cutouts_ ? &passage : nullptr)) return 0;
+  if (caster_.is_occluded(ray, target, count, has_cutouts_ ? &passage : nullptr)) return Rgb(0);
   return passage.transmittance();
 }
 
-float CompiledScene::transmittance(const Ray& ray) const {
+Rgb CompiledScene::transmittance(const Ray& ray) const {
   Passage passage(*this, ray);
-  return caster_.is_unoccluded(ray, has_cutouts_ ? &passage : nullptr) ? passage.transmittance() : 0;
+  return caster_.is_unoccluded(ray, has_cutouts_ ? &passage : nullptr) ? passage.transmittance() : Rgb(0);
 }
 
 std::size_t CompiledScene::triangle_count() const {

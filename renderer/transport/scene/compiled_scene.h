@@ -22,6 +22,8 @@
 
 namespace transport {
 
+class HitTriangle;
+
 /// Coordinates of rays and hits are those of the world minus an origin, which is (0,0,0) except in scenes so
 /// far from the world's origin that float precision would not suffice.
 class CompiledScene {
@@ -47,22 +49,23 @@ class CompiledScene {
   /// the second and third corner; without colour, texture and tangent.
   SurfacePoint front_point(const TriangleId& id, const Vec2f& weights) const;
 
-  /// The fraction of light that passes between the origin and origin + direction; if the end is a point of an
-  /// emitter, the emitter itself does not count.
-  float transmittance_to_end(const Ray& ray, std::uint32_t emitter = InvalidIndex) const;
+  /// The fraction of light that passes straight on between the origin and origin + direction; if the end is a
+  /// point of an emitter, the emitter itself does not count. Solids of glass let none pass, as they bend it.
+  Rgb transmittance_to_end(const Ray& ray, std::uint32_t emitter = InvalidIndex) const;
   /// The fraction of light that passes in front of the origin, at any distance.
-  float transmittance(const Ray& ray) const;
+  Rgb transmittance(const Ray& ray) const;
   /// Whether no light passes, see `transmittance_to_end`.
   bool is_occluded(const Ray& ray, std::uint32_t emitter = InvalidIndex) const {
-    return !(transmittance_to_end(ray, emitter) > 0);
+    return reflectance::is_black(transmittance_to_end(ray, emitter));
   }
-  bool is_unoccluded(const Ray& ray) const { return transmittance(ray) > 0; }
+  bool is_unoccluded(const Ray& ray) const { return !reflectance::is_black(transmittance(ray)); }
 
   /// The opacity of an emitter at a sampled point, as far as it varies: a constant one is part of its
   /// radiance.
   float opacity_at(const LightSample& light) const { return has_cutouts_ ? opacity_of_emitter(light) : 1; }
 
-  bool has_cutouts() const { return has_cutouts_; }  ///< some face is not opaque
+  bool has_cutouts() const { return has_cutouts_; }  ///< some face lets light pass straight on
+  bool has_glass() const { return has_glass_; }      ///< some face is glass, a pane or that of a solid
 
   /// Moves a point off the faces that it lies in, by the rounding error of rays that start there: to the side
   /// that the direction points to if the point is in a face within the rounding of the face's corners, and
@@ -100,7 +103,10 @@ class CompiledScene {
  private:
   class NearestStop;
   class Passage;
+  const CompiledSurface& surface_at(const TriangleHit& hit) const;
   float opacity_at(const TriangleHit& hit, const Ray& ray) const;
+  Rgb colour_at(const HitTriangle& hit, const CompiledSurface& surface, float width) const;
+  Rgb passing_pane(const TriangleHit& hit, const Ray& ray, const CompiledSurface& surface) const;
   float opacity_of_emitter(const LightSample& light) const;
   std::optional<RayStart> offset_start(const SurfacePoint& point, const Vec3f& geometric_side,
                                        std::uint64_t& rays) const;
@@ -112,6 +118,7 @@ class CompiledScene {
   Lights lights_;
   RayCaster caster_;
   bool has_cutouts_ = false;
+  bool has_glass_ = false;
 };
 
 struct CompileSettings {

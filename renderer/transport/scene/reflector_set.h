@@ -68,6 +68,10 @@ class ReflectorSetBuilder {
     return index < pairs_.size() && reflectance::is_anisotropic(pairs_[index].brdf);
   }
 
+  /// The BRDF if it is glass, else null; invalid once another index was asked for.
+  const reflectance::Glass* glass(std::uint32_t index) const {
+    return index < pairs_.size() ? std::get_if<reflectance::Glass>(&pairs_[index].brdf) : nullptr;
+  }
   /// Whether it has neither a glossy nor a specular part.
   bool is_diffuse(std::uint32_t index) const {
     return index < pairs_.size() && !reflectance::has_glossy_part(pairs_[index].brdf) &&

@@ -19,6 +19,8 @@ struct CompiledSurface {
   std::uint32_t texture = InvalidIndex;
   grf::Opacity opacity;
   std::uint32_t alpha = InvalidIndex;  ///< the texture whose alpha the opacity reads
+  bool is_glass = false;               ///< it lets light through by its BRDF
+  bool is_pane = false;                ///< likewise, without bending it
   bool is_anisotropic = false;
   /// False if it reflects nothing to paths that were scattered before, except by specular reflection.
   bool interreflects = true;
@@ -26,8 +28,8 @@ struct CompiledSurface {
   /// transformed as normals are, so that tangents follow the parallels of a globe.
   Vec3f axis = Vec3f(0, 1, 0);
 
-  /// Whether it lets light pass, somewhere or in part.
-  bool is_cutout() const { return alpha != InvalidIndex || opacity.value < 1; }
+  /// Whether some light passes straight on, somewhere or in part.
+  bool is_cutout() const { return alpha != InvalidIndex || opacity.value < 1 || is_pane; }
 
   bool operator==(const CompiledSurface&) const = default;
 };

@@ -23,6 +23,11 @@ CompiledSurface SurfaceSetBuilder::compiled(const grf::Surface& surface, const g
     resolved.pdf = nullptr;
   }
   result.reflector = reflectors_.index_of(resolved);
+  if (effects_.has(Effect::Transmission)) {
+    const reflectance::Glass* glass = reflectors_.glass(result.reflector);
+    result.is_glass = glass != nullptr;
+    result.is_pane = glass != nullptr && glass->thin;
+  }
   const bool has_texture = resolved.texture != nullptr && effects_.has(Effect::Textures);
   if (has_texture) {
     result.texture = result.alpha != InvalidIndex
