@@ -52,6 +52,9 @@ LossText text_of(Loss loss) {
               "faces of GRF emit to their whole front"};
     case Loss::Animation:
       return {"animation was left out", "animations were left out", "GRF scenes are static"};
+    case Loss::Transmission:
+      return {"face lost some of how glass transmits", "faces lost some of how glass transmits",
+              "glass of GRF is clear, smooth, and tinted as a whole"};
     case Loss::EmissionMap:
       return {"face lost its map of emission", "faces lost their map of emission",
               "faces of GRF emit uniformly"};
@@ -159,6 +162,9 @@ LossText text_of(Loss loss) {
       return {"face that is not diffuse, or has a texture, has the mean colour of its mesh's vertices",
               "faces that are not diffuse, or have a texture, have the mean colour of their mesh's vertices",
               "only diffuse BRDFs of the format have them"};
+    case Loss::GlassColour:
+      return {"face lost the colour of its glass", "faces lost the colour of their glass",
+              "the renderer's glass is clear, as it is written"};
     case Loss::MirrorFresnel:
       return {"face lost the dependence of its specular (delta) part on the angle",
               "faces lost the dependence of their specular (delta) part on the angle",

@@ -29,6 +29,7 @@ enum class Loss {
   SpotCone,
   Animation,
   EmissionMap,
+  Transmission,
   SecondTextureCoordinates,
   SingularTransform,
   TextureImage,
@@ -73,6 +74,7 @@ enum class Loss {
   BrdfTexture,
   BrdfVertexColour,
   MirrorFresnel,
+  GlassColour,
   EmitterNormal,
   Backplate,
   // Features that files of USD and MaterialX lack.

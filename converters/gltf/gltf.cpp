@@ -33,9 +33,10 @@ Format common() {
   format.keeps =
       "all of a scene that came from GRF (in extras); else polygons as triangles, shared vertices, normals, "
       "texture coordinates, vertex colours, textures, names, transforms, instances, materials with clear "
-      "coats, sheen and anisotropy, emission, opacity, perspective cameras (those of OP files)";
+      "coats, sheen and anisotropy, glass, emission, opacity, perspective cameras (those of OP files)";
   format.loses =
-      "maps other than of the base colour, transmission, points, lines, other cameras, lenses, cones of spot "
+      "maps other than of the base colour, rough transmission, points, lines, other cameras, lenses, cones "
+      "of spot "
       "lights, "
       "animations; for other programs: BRDFs that are not metallic-roughness, sampling schemes, irradiance";
   format.read_materials = gltf_material_rules();

@@ -62,6 +62,7 @@ constexpr std::array<Parameter, 15> Parameters = {{
 }};
 
 double largest(const Vec3d& v) { return std::max({v.x, v.y, v.z}); }
+Vec3d absolute(const Vec3d& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
 GltfBrdf values_of(const grf::BrdfModel& brdf) {
   GltfBrdf values;
@@ -71,6 +72,43 @@ GltfBrdf values_of(const grf::BrdfModel& brdf) {
   }
   normalise(values);
   return values;
+}
+
+/// The least distance of glTF's attenuation that GRF has, and the largest.
+constexpr double LeastDistance = 1e-6;
+constexpr double LargestDistance = 1e6;
+constexpr double LargestGlassIor = 4;
+
+GltfBrdf values_of_glass(const grf::BrdfModel& brdf) {
+  const BrdfArguments arguments(brdf);
+  const Vec3d colour = arguments.colour({"colour", "color"}, 1);
+  GltfBrdf values;
+  values.roughness = 0;
+  values.ior = arguments.number({"ior"}, values.ior);
+  values.transmission = 1;
+  if (arguments.flag("thin")) {
+    values.base = colour;
+  } else {
+    values.thickness = 1;
+    values.attenuation_colour = colour;
+    if (colour != Vec3d(1)) values.attenuation_distance = arguments.number({"distance"}, 1);
+  }
+  normalise(values);
+  return values;
+}
+
+grf::BrdfModel glass_of(const GltfBrdf& values) {
+  std::vector<std::pair<std::string, grf::Value>> arguments;
+  const double ior = std::min(values.ior, LargestGlassIor);
+  if (ior != GltfBrdf().ior) arguments.emplace_back("ior", to_value(Vec3d(ior)));
+  const bool is_solid = values.thickness > 0;
+  const bool is_clear = is_solid && values.attenuation_distance > LargestDistance;
+  const Vec3d colour = is_clear ? Vec3d(1) : is_solid ? values.attenuation_colour : values.base;
+  if (colour != Vec3d(1)) arguments.emplace_back("colour", to_value(colour));
+  if (is_solid && colour != Vec3d(1) && values.attenuation_distance != 1)
+    arguments.emplace_back("distance", to_value(Vec3d(std::max(values.attenuation_distance, LeastDistance))));
+  if (!is_solid) arguments.emplace_back("thin", true);
+  return make_brdf("glass", arguments);
 }
 
 }  // namespace
@@ -100,6 +138,7 @@ bool normalise(GltfBrdf& values) {
 
 GltfBrdf nearest_gltf(const grf::BrdfModel& brdf, const grf::Scope& scope) {
   if (brdf.terms.empty() && grf::same_keyword(brdf.keyword, "gltf")) return values_of(brdf);
+  if (brdf.terms.empty() && grf::same_keyword(brdf.keyword, "glass")) return values_of_glass(brdf);
   return nearest_gltf(brdf_lobes(brdf, scope));
 }
 
@@ -132,6 +171,7 @@ GltfBrdf nearest_gltf(const BrdfLobes& lobes) {
 }
 
 grf::BrdfModel to_brdf(const GltfBrdf& values) {
+  if (values.is_glass()) return glass_of(values);
   const bool is_lambertian = values.metallic == 0 && values.specular == 0 && values.clearcoat == 0 &&
                              values.sheen_colour == Vec3d(0);
   if (is_lambertian) return make_brdf("diffuse", {{"kd", to_value(values.base)}});
@@ -145,6 +185,11 @@ grf::BrdfModel to_brdf(const GltfBrdf& values) {
 
 bool is_nearly_equal(const GltfBrdf& a, const GltfBrdf& b) {
   constexpr double Rounding = 3e-6;
+  const auto is_near = [](double x, double y) { return x == y || std::abs(x - y) <= Rounding * std::abs(x); };
+  if (a.is_glass() != b.is_glass() || (a.thickness > 0) != (b.thickness > 0) ||
+      !is_near(a.attenuation_distance, b.attenuation_distance) ||
+      largest(absolute(a.attenuation_colour - b.attenuation_colour)) > Rounding)
+    return false;
   return std::all_of(Parameters.begin(), Parameters.end(), [&](const Parameter& parameter) {
     const Vec3d difference = (parameter.of(a) - parameter.of(b)) / std::max(1.0, largest(parameter.of(a)));
     return std::max({std::abs(difference.x), std::abs(difference.y), std::abs(difference.z)}) < Rounding;

@@ -1,6 +1,8 @@
 // The BRDF `gltf` has the values of glTF's materials, so that this struct is between GRF and glTF files.
 #pragma once
 
+#include <limits>
+
 #include "converters/brdf_lobes.h"
 #include "grf/math.h"
 #include "grf/model.h"
@@ -25,18 +27,25 @@ struct GltfBrdf {
   double iridescence = 0;
   double iridescence_ior = 1.3;
   double film_thickness = 400;  ///< nanometres
+  // Of the BRDF `glass`, which it is if most light is transmitted: `base` is then the colour of a pane.
+  double transmission = 0;
+  double thickness = 0;  ///< over 0: it bounds a solid
+  grf::Vec3d attenuation_colour = grf::Vec3d(1);
+  double attenuation_distance = std::numeric_limits<double>::infinity();
+
+  bool is_glass() const { return transmission > 0.5; }
 };
 
 /// Clamps values to the ranges of the BRDF, and resets those that have no effect, such as the roughness of a
 /// coat that is not there, to their defaults. Returns whether a value was out of range.
 bool normalise(GltfBrdf& values);
 
-/// Returns the values of glTF's material for a BRDF: exact for `gltf`, and else the nearest ones.
+/// Returns the values of glTF's material for a BRDF: exact for `gltf` and `glass`, and else the nearest ones.
 GltfBrdf nearest_gltf(const grf::BrdfModel& brdf, const grf::Scope& scope);
 GltfBrdf nearest_gltf(const BrdfLobes& lobes);
 
-/// Returns the BRDF of normalised values: `gltf` with those that are not its defaults, or `diffuse` if a
-/// dielectric without specular reflection makes it the same.
+/// Returns the BRDF of normalised values: `gltf` with those that are not its defaults, `glass`, or `diffuse`
+/// if a dielectric without specular reflection makes it the same.
 grf::BrdfModel to_brdf(const GltfBrdf& values);
 
 /// Returns whether normalised values are equal but for the rounding of factors in files.

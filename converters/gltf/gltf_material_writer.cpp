@@ -77,6 +77,15 @@ void add_extensions(json& material, json& root, const GltfBrdf& values) {
             {"iridescenceIor", rounded_factor(values.iridescence_ior)},
             {"iridescenceThicknessMaximum", rounded_factor(values.film_thickness)}});
   }
+  if (!values.is_glass()) return;
+  extend(material, root, "KHR_materials_transmission", {{"transmissionFactor", 1}});
+  if (!(values.thickness > 0)) return;
+  json volume = {{"thicknessFactor", rounded_factor(values.thickness)}};
+  if (std::isfinite(values.attenuation_distance)) {
+    volume["attenuationDistance"] = rounded_factor(values.attenuation_distance);
+    volume["attenuationColor"] = factors(values.attenuation_colour);
+  }
+  extend(material, root, "KHR_materials_volume", volume);
 }
 
 void add_opacity(json& material, const grf::Opacity& opacity) {
@@ -102,7 +111,7 @@ GltfBrdf values_of(const grf::ResolvedSurface& surface) {
 }
 
 /// The table of conversions by `GltfMaterialWriter::material`.
-constexpr std::array<MaterialRule, 10> GltfWriterRules = {{
+constexpr std::array<MaterialRule, 12> GltfWriterRules = {{
     {"`gltf`", "exactly its values", "brdf gltf baseColor=(1, 0.5, 0.25) metallic=0.5 roughness=0.25",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0.5, "
      "\"roughnessFactor\": 0.25}",
@@ -119,6 +128,19 @@ constexpr std::array<MaterialRule, 10> GltfWriterRules = {{
      "\"clearcoatRoughnessFactor\": 0.25}, \"KHR_materials_sheen\": {\"sheenColorFactor\": [0.5, 0.5, 0.5], "
      "\"sheenRoughnessFactor\": 0.75}, \"KHR_materials_iridescence\": {\"iridescenceFactor\": 0.5, "
      "\"iridescenceIor\": 1.5, \"iridescenceThicknessMaximum\": 250}}",
+     ""},
+    {"`glass thin=true`", "`KHR_materials_transmission`; the base colour is that of the pane",
+     "brdf glass colour=(1, 0.5, 0.25) thin=true",
+     "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0, "
+     "\"roughnessFactor\": 0}, \"extensions\": {\"KHR_materials_transmission\": {\"transmissionFactor\": 1}}",
+     ""},
+    {"`glass`", "the same with `KHR_materials_volume`", "brdf glass ior=2 colour=0.5 distance=0.25",
+     "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 1, 1, 1], \"metallicFactor\": 0, "
+     "\"roughnessFactor\": "
+     "0}, \"extensions\": {\"KHR_materials_ior\": {\"ior\": 2}, \"KHR_materials_transmission\": "
+     "{\"transmissionFactor\": 1}, \"KHR_materials_volume\": {\"thicknessFactor\": 1, "
+     "\"attenuationDistance\": "
+     "0.25, \"attenuationColor\": [0.5, 0.5, 0.5]}}",
      ""},
     {"others, a diffuse lobe m under a glossy lobe g",
      "m = 0.96 x base colour x (1 - metallic) and g = 0.04 x (1 - metallic) + base colour x metallic, solved "

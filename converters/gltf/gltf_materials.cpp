@@ -71,7 +71,7 @@ TextureLookup lookup_of(int set, const Value* transform) {
 std::string joined(const std::vector<double>& values) { return fmt::format("{}", fmt::join(values, " ")); }
 
 /// The table of conversions by `Reading`.
-constexpr std::array<MaterialRule, 23> GltfRules = {{
+constexpr std::array<MaterialRule, 26> GltfRules = {{
     {"metallic-roughness", "`gltf` with its values, without those that are defaults of the BRDF",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0.5, "
      "\"roughnessFactor\": 0.25}",
@@ -149,8 +149,25 @@ constexpr std::array<MaterialRule, 23> GltfRules = {{
      "gltf metallic=1 roughness=1 texture \"wood.png\" opacity mask 0.5", ""},
     {"other maps, also of extensions", "lost", "\"normalTexture\": {\"index\": 0}",
      "gltf metallic=1 roughness=1", "normal map"},
-    {"other extensions", "lost", "\"extensions\": {\"KHR_materials_transmission\": {}}",
-     "gltf metallic=1 roughness=1", "what KHR_materials_transmission says"},
+    {"`KHR_materials_transmission`, `transmissionFactor` > 0.5",
+     "`glass thin=true`, a pane of the base colour; `transmissionFactor` below 1 and `roughnessFactor` are "
+     "lost",
+     "\"extensions\": {\"KHR_materials_transmission\": {\"transmissionFactor\": 1}}, "
+     "\"pbrMetallicRoughness\": "
+     "{\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0, \"roughnessFactor\": 0}",
+     "glass colour=(1, 0.5, 0.25) thin=true", ""},
+    {"the same with `KHR_materials_volume`, `thicknessFactor` > 0",
+     "`glass`, a solid; the base colour is lost",
+     "\"extensions\": {\"KHR_materials_transmission\": {\"transmissionFactor\": 1}, "
+     "\"KHR_materials_volume\": "
+     "{\"thicknessFactor\": 1, \"attenuationColor\": [0.5, 1, 1], \"attenuationDistance\": 0.25}}, "
+     "\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"roughnessFactor\": 0}",
+     "glass colour=(0.5, 1, 1) distance=0.25", ""},
+    {"less transmission", "lost",
+     "\"extensions\": {\"KHR_materials_transmission\": {\"transmissionFactor\": 0.25}}",
+     "gltf metallic=1 roughness=1", "some of how glass transmits"},
+    {"other extensions", "lost", "\"extensions\": {\"KHR_materials_dispersion\": {}}",
+     "gltf metallic=1 roughness=1", "what KHR_materials_dispersion says"},
     {"values out of range", "clamped", "\"pbrMetallicRoughness\": {\"roughnessFactor\": 1.5}",
      "gltf metallic=1 roughness=1", "out of range"},
     {"`extras` with a BRDF, and the values that were written with it", "exactly that BRDF",
@@ -161,15 +178,17 @@ constexpr std::array<MaterialRule, 23> GltfRules = {{
 }};
 
 /// Extensions of materials that are read.
-constexpr std::array<std::string_view, 9> ReadExtensions = {"pbrSpecularGlossiness",
-                                                            "unlit",
-                                                            "emissive_strength",
-                                                            "ior",
-                                                            "specular",
-                                                            "anisotropy",
-                                                            "clearcoat",
-                                                            "sheen",
-                                                            "iridescence"};
+constexpr std::array<std::string_view, 11> ReadExtensions = {"pbrSpecularGlossiness",
+                                                             "unlit",
+                                                             "emissive_strength",
+                                                             "ior",
+                                                             "specular",
+                                                             "anisotropy",
+                                                             "clearcoat",
+                                                             "sheen",
+                                                             "iridescence",
+                                                             "transmission",
+                                                             "volume"};
 
 /// Converts one material of the file.
 class Reading {
@@ -180,6 +199,7 @@ class Reading {
     } else {
       read(source_.pbrMetallicRoughness);
       read_dielectric();
+      read_transmission();
     }
     read_layers();
     is_clamped_ = normalise(values_);
@@ -311,6 +331,33 @@ class Reading {
     const double root = values_.ior == 0 ? 1 : (ior - 1) / (ior + 1);
     for (int i = 0; i < 3; ++i) colour[i] = std::min(colour[i] * root * root, 1.0) * ColourOfFullReflectance;
     values_.ior = GltfBrdf().ior;
+  }
+
+  // Reads KHR_materials_transmission and KHR_materials_volume. What is neither clear nor opaque is taken for
+  // the nearer of both.
+  void read_transmission() {
+    const Value* transmission = extension_of(source_, "transmission");
+    if (transmission == nullptr) return;
+    values_.transmission = number(*transmission, "transmissionFactor", 0);
+    say(fmt::format("transmissionFactor {}", values_.transmission));
+    lose_maps(*transmission, {"transmissionTexture"});
+    constexpr double Smooth = 0.05;
+    const bool is_rough = values_.roughness > Smooth || values_.metallic > 0;
+    const bool is_partial = values_.transmission > 0 && values_.transmission < 1;
+    if (is_partial || (values_.is_glass() && is_rough)) lose(Loss::Transmission);
+    const Value* volume = extension_of(source_, "volume");
+    if (volume == nullptr || !values_.is_glass()) return;
+    values_.thickness = number(*volume, "thicknessFactor", 0);
+    values_.attenuation_distance = number(*volume, "attenuationDistance", values_.attenuation_distance);
+    values_.attenuation_colour = clamped(to_vector(numbers<3>(*volume, "attenuationColor", {1, 1, 1})));
+    say(fmt::format("thicknessFactor {}; attenuationDistance {}", values_.thickness,
+                    values_.attenuation_distance));
+    lose_maps(*volume, {"thicknessTexture"});
+    if (values_.thickness > 0 && values_.base != grf::Vec3d(1)) lose(Loss::Transmission);
+  }
+
+  static grf::Vec3d clamped(const grf::Vec3d& v) {
+    return {std::clamp(v.x, 0.0, 1.0), std::clamp(v.y, 0.0, 1.0), std::clamp(v.z, 0.0, 1.0)};
   }
 
   // Reads KHR_materials_anisotropy, KHR_materials_clearcoat, KHR_materials_sheen and
