@@ -71,6 +71,10 @@ ReflectingSurface of_renderer(const WrittenMaterial& material, const std::string
       base = fmt::format("ggx alpha={} nreal={} nimag={} scattering=single", material.facets.alpha,
                          material.facets.real_index, material.facets.imaginary_index);
       break;
+    case Base::Glass:
+      base = fmt::format("glass ior={} thin={} colour={}", material.index, material.is_pane,
+                         colour_text(material.is_pane ? material.pane_colour : grf::Colour(1)));
+      break;
     case Base::Measured:
       base = fmt::format("rgl \"{}\"", (std::filesystem::path(folder) / material.table).string());
       break;

@@ -159,7 +159,15 @@ void MitsubaWriter::put_mirror(const grf::Colour& reflectance) {
 // Reflectance of GRF is that of both sides, and BSDFs of Mitsuba are black from behind.
 void MitsubaWriter::put_material(std::size_t index) {
   const WrittenMaterial& material = scene_.materials[index];
-  plugin("bsdf", "twosided", fmt::format(" id=\"material_{}\"", index + 1), [&] {
+  const std::string id = fmt::format(" id=\"material_{}\"", index + 1);
+  if (material.base == Base::Glass) {
+    return plugin("bsdf", material.is_pane ? "thindielectric" : "dielectric", id, [&] {
+      number("int_ior", material.index);
+      number("ext_ior", 1);
+      if (material.is_pane) colour("specular_transmittance", material.pane_colour);
+    });
+  }
+  plugin("bsdf", "twosided", id, [&] {
     if (material.mirror_share <= 0) return put_base(material);
     const auto share = static_cast<float>(material.mirror_share);
     if (material.base == Base::Black) return put_mirror(share * material.mirror);
@@ -227,6 +235,7 @@ RenderTarget mitsuba_target() {
   RenderTarget target;
   target.suffix = "mitsuba";
   target.material.colours = reflectance::RglColours::LinearSrgb;
+  target.material.has_pane_colour = true;
   target.has_mesh_attributes = true;
   target.surroundings = mitsuba_latitude_longitude;
   return target;

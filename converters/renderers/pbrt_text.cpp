@@ -134,6 +134,9 @@ void PbrtWriter::put_base(const std::string& name, const WrittenMaterial& materi
           "  \"float roughness\" [ {4} ] \"bool remaproughness\" [ false ]\n",
           FirstWavelength, LastWavelength, material.facets.real_index, material.facets.imaginary_index,
           material.facets.alpha);
+    case Base::Glass:
+      return put("[ \"{}\" ] \"float eta\" [ {} ]\n", material.is_pane ? "thindielectric" : "dielectric",
+                 material.index);
     case Base::Diffuse:
       if (!material.image.empty())
         return put("[ \"diffuse\" ] \"texture reflectance\" [ {} ]\n", pbrt_string(image));

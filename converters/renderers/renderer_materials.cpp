@@ -20,6 +20,10 @@ constexpr std::array PbrtMaterials = {
         "false. It is the same formula",
         "brdf ggx alpha=0.25 nreal=1.5 nimag=2 scattering=single",
         R"("spectrum eta" [ 300 1.5 900 1.5 ] "spectrum k" [ 300 2 900 2 ])", ""},
+    MaterialRule{"`glass`",
+                 "`dielectric`, and `thindielectric` for a pane; `eta` is `ior`, and the colour is lost",
+                 "brdf glass ior=1.25 colour=0.5 thin=true", R"([ "thindielectric" ] "float eta" [ 1.25 ])",
+                 "colour of its glass"},
     MaterialRule{
         "`specular`, and delta parts of one reflectance at all angles",
         "`mix` with a smooth `conductor`; `amount` is the largest channel of the reflectance, which is "
@@ -57,6 +61,11 @@ constexpr std::array MitsubaMaterials = {
                  "`diffuse`; `reflectance` is `kd` times the colour. It is the same formula",
                  "rgb (0.5, 1, 1) brdf diffuse kd=0.5", R"(<rgb name="reflectance" value="0.25 0.5 0.5"/>)",
                  ""},
+    MaterialRule{"`glass`",
+                 "`dielectric`, and `thindielectric` for a pane, without `twosided`; `int_ior` is `ior`, and "
+                 "`specular_transmittance` the colour of a pane; that of a solid is lost",
+                 "brdf glass ior=1.25 colour=0.5 thin=true",
+                 R"(<rgb name="specular_transmittance" value="0.5 0.5 0.5"/>)", ""},
     MaterialRule{"`specular`",
                  "`conductor` with `material` `none`; `specular_reflectance` is `ks` times the colour",
                  "brdf specular ks=(0.75, 0.5, 0.25)",

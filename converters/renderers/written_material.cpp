@@ -70,6 +70,7 @@ class MaterialWriter {
 
  private:
   bool take_texture();
+  std::optional<WrittenMaterial> write_glass(const reflectance::Glass& glass);
   bool write_diffuse(const grf::Colour& reflectance);
   bool write_table(const grf::Colour& colour);
 
@@ -128,8 +129,20 @@ bool MaterialWriter::write_table(const grf::Colour& colour) {
   return true;
 }
 
+std::optional<WrittenMaterial> MaterialWriter::write_glass(const reflectance::Glass& glass) {
+  written_.base = Base::Glass;
+  written_.index = double(glass.ior);
+  written_.is_pane = glass.thin;
+  if (glass.thin) written_.pane_colour = glass.colour * colour_;
+  const bool keeps_colour = glass.thin && target_.has_pane_colour;
+  const bool is_clear = glass.colour * colour_ == grf::Colour(1) && material_.texture.empty();
+  if (!keeps_colour && !is_clear) losses_.add(Loss::GlassColour, material_.faces);
+  return written_;
+}
+
 std::optional<WrittenMaterial> MaterialWriter::write() {
   if (colour_ == grf::Colour(0)) return written_;
+  if (const auto* glass = std::get_if<reflectance::Glass>(&material_.brdf)) return write_glass(*glass);
   if (!take_texture()) return std::nullopt;
   const MirrorPart mirror = mirror_of(material_.brdf, colour_);
   if (mirror.varies) losses_.add(Loss::MirrorFresnel, material_.faces);

@@ -21,14 +21,17 @@ struct ConductorFacets {
 
 /// A material as a renderer has it: (1 - share) base + share mirror.
 struct WrittenMaterial {
-  enum class Base { Black, Diffuse, Conductor, Measured };
+  enum class Base { Black, Diffuse, Conductor, Measured, Glass };
 
   Base base = Base::Black;
   grf::Colour reflectance = grf::Colour(0);  ///< of a diffuse base, without image and colours of vertices
   std::string image;                         ///< of a diffuse base, instead of its reflectance; may be empty
   bool has_vertex_colours = false;           ///< of a diffuse base: they contain its reflectance
   ConductorFacets facets;
-  std::string table;       ///< of a measured base: the name of the file for the scene
+  double index = 1.5;                        ///< of glass
+  bool is_pane = false;                      ///< of glass: it does not bend light
+  grf::Colour pane_colour = grf::Colour(1);  ///< what is left of light that crosses a pane along its normal
+  std::string table;                         ///< of a measured base: the name of the file for the scene
   double table_error = 0;  ///< mean error of its interpolation, as a fraction of the mean value
   bool is_anisotropic = false;
   double mirror_share = 0;              ///< 0 to 1
@@ -39,6 +42,7 @@ struct WrittenMaterial {
 struct MaterialTarget {
   reflectance::RglColours colours = reflectance::RglColours::LinearSrgb;  ///< of tables
   bool has_ggx_conductor = false;  ///< with height-correlated shadowing, as that of `ggx`
+  bool has_pane_colour = false;    ///< of what a pane lets through
 };
 
 /// The share of a mirror in a material, its reflectance, and whether that depends on the angle.

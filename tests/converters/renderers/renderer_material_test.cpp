@@ -97,6 +97,23 @@ TEST(RendererMaterials, OfMirrorsHaveTheirReflectance) {
   EXPECT_EQ(mirror.lists.at("specular_reflectance"), (std::vector<double>{0.375, 0.75, 0.75}));
 }
 
+TEST(RendererMaterials, OfGlassAreDielectrics) {
+  const ExportedScene pane(cube("rgb (0.5, 1, 1) brdf glass ior=1.25 colour=0.5 thin=true"));
+  EXPECT_EQ(only_pbrt_material(pane).plugin, "thindielectric");
+  EXPECT_EQ(only_pbrt_material(pane).number("eta"), 1.25);
+  const test::MitsubaElement& mitsuba = pane.mitsuba().child("bsdf");
+  EXPECT_EQ(mitsuba.type, "thindielectric") << "twosided takes nothing that transmits";
+  EXPECT_EQ(mitsuba.number("int_ior"), 1.25);
+  EXPECT_EQ(mitsuba.number("ext_ior"), 1) << "its default is that of air";
+  EXPECT_EQ(mitsuba.lists.at("specular_transmittance"), (std::vector<double>{0.25, 0.5, 0.5}));
+  EXPECT_THAT(pane.pbrt_warnings(), HasSubstr("6 faces lost the colour of their glass"));
+  EXPECT_THAT(pane.mitsuba_warnings(), testing::Not(HasSubstr("glass")));
+  const ExportedScene solid(cube("brdf glass"));
+  EXPECT_EQ(only_pbrt_material(solid).plugin, "dielectric");
+  EXPECT_EQ(solid.mitsuba().child("bsdf").type, "dielectric");
+  EXPECT_THAT(solid.mitsuba_warnings(), testing::Not(HasSubstr("glass")));
+}
+
 TEST(RendererMaterials, OfSumsWithAMirrorAreBlended) {
   const ExportedScene scene(
       "def clay = brdf diffuse kd=0.8 shine = brdf specular ks=1 "
