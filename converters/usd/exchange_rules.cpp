@@ -19,6 +19,8 @@ constexpr std::array UsdMaterials = {
                  "brdf gltf metallic=0.5 roughness=0.25", "float inputs:metallic = 0.5", ""},
     MaterialRule{"`gltf` with a clear coat", "`clearcoat` and `clearcoatRoughness`",
                  "brdf gltf clearcoat=0.5 coatRoughness=0.25", "float inputs:clearcoat = 0.5", ""},
+    MaterialRule{"`glass`", "`opacity` 0 with `opacityMode` `transparent`, and `ior`", "brdf glass ior=1.25",
+                 "float inputs:opacity = 0", NearestLoss},
     MaterialRule{"models that MaterialX lacks", "as in MaterialX, with its loss",
                  "brdf ward sx=0.2 sy=0.2 ks=0.3 kd=0.2", "info:id = \"ND_open_pbr_surface_surfaceshader\"",
                  NearestLoss},
@@ -66,6 +68,12 @@ constexpr std::array MaterialxMaterials = {
     MaterialRule{"`gltf`", "`gltf_pbr` with all its values; fibres have another lobe",
                  "brdf gltf baseColor=0.5 metallic=0.25",
                  R"(<input name="metallic" type="float" value="0.25"/>)", ""},
+    MaterialRule{
+        "`glass`",
+        "`open_pbr_surface` with `transmission_weight` 1 and, of a solid, `transmission_depth`; a pane is "
+        "`geometry_thin_walled`",
+        "brdf glass ior=1.25 thin=true",
+        R"(<input name="geometry_thin_walled" type="boolean" value="true"/>)", NearestLoss},
     MaterialRule{"all others, also layers, and sums with one",
                  "`open_pbr_surface` with the diffuse and the glossy lobe, as for glTF",
                  "brdf ashikhmin ex=30 Rs=0.04 Rd=0.5",

@@ -1,6 +1,7 @@
 #include "converters/usd/shading_graph.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <variant>
 
@@ -61,6 +62,7 @@ class GraphBuilder {
   bool put_layers();
   void put_openpbr(const reflectance::OpenPbr& model);
   void put_gltf();
+  void put_glass(const GltfBrdf& values);
   void put_nearest();
   void put_openpbr_shader(std::vector<ShadingInput> inputs);
   ShadingInput base_colour(const char* name, const Vec3d& colour);
@@ -296,10 +298,25 @@ void GraphBuilder::put_gltf() {
   add("gltf_pbr", "surfaceshader", "ND_gltf_pbr_surfaceshader", std::move(inputs));
 }
 
-/// Puts the OpenPBR surface with the diffuse and the glossy lobe of the BRDF.
+/// Puts the OpenPBR surface of glass. Its colour is what is left of light after `transmission_depth`; with 0
+/// it is that of all that is transmitted.
+void GraphBuilder::put_glass(const GltfBrdf& values) {
+  const bool is_pane = !(values.thickness > 0);
+  const bool has_depth = !is_pane && std::isfinite(values.attenuation_distance);
+  std::vector<ShadingInput> inputs = {
+      number_input("base_weight", 0.0), number_input("specular_roughness", values.roughness),
+      number_input("specular_ior", values.ior), number_input("transmission_weight", 1.0),
+      colour_input("transmission_color", is_pane ? values.base : values.attenuation_colour)};
+  if (has_depth) inputs.push_back(number_input("transmission_depth", values.attenuation_distance));
+  if (is_pane) inputs.push_back({"geometry_thin_walled", "boolean", {1}, {}});
+  put_openpbr_shader(std::move(inputs));
+}
+
+/// Puts the OpenPBR surface with the diffuse and the glossy lobe of the BRDF, or that of glass.
 void GraphBuilder::put_nearest() {
   graph_.is_exact = false;
   const GltfBrdf values = nearest_gltf(*surface_.brdf, surface_.brdf_scope);
+  if (values.is_glass()) return put_glass(values);
   put_openpbr_shader({base_colour("base_color", values.base), number_input("base_metalness", values.metallic),
                       number_input("specular_weight", values.specular),
                       number_input("specular_roughness", values.roughness)});

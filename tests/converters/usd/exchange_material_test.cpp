@@ -58,6 +58,26 @@ TEST(ExchangeMaterials, OfOpenPbrHaveItsValues) {
   EXPECT_THAT(node.attribute("inputs:base_color").numbers, ElementsAre(0.25, 0.5, 0.75));
 }
 
+TEST(ExchangeMaterials, OfGlassTransmit) {
+  const ExchangedScene solid = scene_with("brdf glass ior=1.75 colour=(0.25, 0.5, 1) distance=2");
+  const auto& inputs = solid.mtlx().only("open_pbr_surface").inputs;
+  const std::map<std::string, std::string> expected = {{"transmission_weight", "1"},
+                                                       {"transmission_color", "0.25, 0.5, 1"},
+                                                       {"transmission_depth", "2"},
+                                                       {"specular_ior", "1.75"},
+                                                       {"specular_roughness", "0"}};
+  for (const auto& [name, value] : expected) EXPECT_EQ(inputs.at(name).value, value) << name;
+  EXPECT_FALSE(inputs.contains("geometry_thin_walled"));
+  const test::UsdaPrim& preview = *solid.usd().find("/World/Looks/glass/PreviewSurface");
+  EXPECT_EQ(preview.number("inputs:opacity"), 0);
+  EXPECT_EQ(preview.string("inputs:opacityMode"), "transparent");
+  EXPECT_EQ(preview.number("inputs:ior"), 1.75);
+  const ExchangedScene pane = scene_with("brdf glass colour=0.5 thin=true");
+  EXPECT_EQ(pane.mtlx().only("open_pbr_surface").inputs.at("geometry_thin_walled").value, "true");
+  EXPECT_EQ(pane.mtlx().only("open_pbr_surface").inputs.at("transmission_color").value, "0.5, 0.5, 0.5");
+  EXPECT_FALSE(pane.mtlx().only("open_pbr_surface").inputs.contains("transmission_depth"));
+}
+
 TEST(ExchangeMaterials, OfFacetsHaveTheirAlphas) {
   const ExchangedScene scene = scene_with("brdf ggx alpha=0.25 ay=0.5 nreal=2 nimag=(3, 4, 5)");
   const auto& inputs = scene.mtlx().only("conductor_bsdf").inputs;
