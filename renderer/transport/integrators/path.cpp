@@ -349,17 +349,21 @@ bool Path<Has>::passes_pane(const SurfacePoint& point) {
 /// Returns the point that the path meets next.
 template <PathEffects Has>
 std::optional<SurfacePoint> Path<Has>::next_point() {
-  for (;;) {
+  const auto cast = [&] {
     ++counter_.rays;
-    auto point = scene_.intersect(ray_, scene_.has_cutouts() ? sampler_.word() : 0);
-    if constexpr (Has.transmission) {
+    return scene_.intersect(ray_, scene_.has_cutouts() ? sampler_.word() : 0);
+  };
+  if constexpr (!Has.transmission) {
+    return cast();  // without a copy of the point
+  } else {
+    for (;;) {
+      auto point = cast();
       if (inside_ != nullptr) {
         throughput_ *=
             point ? inside_->left_after((point->position - ray_.origin).length()) : left_outside(inside_);
       }
-      if (point && point->surface->is_pane && passes_pane(*point)) continue;
+      if (!point || !point->surface->is_pane || !passes_pane(*point)) return point;
     }
-    return point;
   }
 }
 

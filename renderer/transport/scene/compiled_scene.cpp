@@ -228,17 +228,18 @@ Vec3d CompiledScene::off_faces(const Vec3d& point, const Vec3d& direction) const
 }
 
 Rgb CompiledScene::transmittance_to_end(const Ray& ray, std::uint32_t emitter) const {
-  Passage passage(*this, ray);
   const bool has_emitter = emitter != InvalidIndex;
   const TriangleId target = has_emitter ? geometry_->emitter_triangles[emitter] : TriangleId();
   const std::uint32_t count = !has_emitter ? 0 : lights_[emitter].is_triangle ? 1 : 2;
-  if (caster_.is_occluded(ray, target, count, has_cutouts_ ? &passage : nullptr)) return Rgb(0);
-  return passage.transmittance();
+  if (!has_cutouts_) return Rgb(caster_.is_occluded(ray, target, count, nullptr) ? 0.0F : 1.0F);
+  Passage passage(*this, ray);
+  return caster_.is_occluded(ray, target, count, &passage) ? Rgb(0) : passage.transmittance();
 }
 
 Rgb CompiledScene::transmittance(const Ray& ray) const {
+  if (!has_cutouts_) return Rgb(caster_.is_unoccluded(ray, nullptr) ? 1.0F : 0.0F);
   Passage passage(*this, ray);
-  return caster_.is_unoccluded(ray, has_cutouts_ ? &passage : nullptr) ? passage.transmittance() : Rgb(0);
+  return caster_.is_unoccluded(ray, &passage) ? passage.transmittance() : Rgb(0);
 }
 
 std::size_t CompiledScene::triangle_count() const {
