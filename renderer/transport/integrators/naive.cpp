@@ -17,9 +17,8 @@ using reflectance::Uniforms;
 struct Way {
   Ray ray;
   Rgb throughput = Rgb(1);
-  Rgb radiance = Rgb(0);                       ///< of panes that it has passed
-  const reflectance::Glass* inside = nullptr;  ///< the solid that it is in; null: none
-  Rgb pane_weight = Rgb(1);                    ///< of the reflection by the pane that it has hit
+  Rgb radiance = Rgb(0);  ///< of panes that it has passed
+  GlassState glass = {};
 };
 
 class NaivePaths {
@@ -59,46 +58,28 @@ std::optional<SurfacePoint> NaivePaths::next_point(Way& way) {
   for (;;) {
     ++counter_.rays;
     auto point = scene_.intersect(way.ray, scene_.has_cutouts() ? hash(word_, casts_++) : 0);
-    if (way.inside != nullptr) {
-      way.throughput *= point ? way.inside->left_after((point->position - way.ray.origin).length())
-                              : left_outside(way.inside);
-    }
+    way.throughput *= left_on_way(way.glass.inside, way.ray, point);
     if (!point || !point->surface->is_pane) return point;
-    const Reflector* reflector = scene_.reflector(*point->surface);
-    const auto drawn = sample_pane(glass_of(*reflector), *point, way.ray.direction,
-                                   settings_.reflects_specular, hash(word_, casts_++));
-    way.pane_weight = drawn ? drawn->weight : Rgb(0);
-    if (!drawn || !drawn->passes) return point;
-    way.radiance += way.throughput * emission(*point, way.ray);
-    way.throughput *= drawn->weight * point->colour;
-    way.ray = behind_pane(*point, way.ray);
+    const Rgb emitted = emission(*point, way.ray);
+    const reflectance::Glass& pane = glass_of(*scene_.reflector(*point->surface));
+    const auto factor =
+        pass_pane(pane, *point, settings_.reflects_specular, hash(word_, casts_++), way.ray, way.glass);
+    if (!factor) return point;
+    way.radiance += way.throughput * emitted;
+    way.throughput *= *factor;
   }
 }
 
 /// Goes on after glass. False if nothing does.
 bool NaivePaths::scatter_at_glass(const ShadingPoint& shading, float xi, Way& way) const {
-  const reflectance::Glass& glass = glass_of(shading.reflector);
-  const bool is_inside = way.ray.direction.dot(shading.point.geometric_normal) > 0;
-  GlassSample drawn = {false, way.pane_weight};
-  reflectance::Glass::Split split;
-  if (!shading.point.surface->is_pane) {
-    split = glass.split(shading.u.z, is_inside);
-    const auto chosen = sample_glass(split, settings_.reflects_specular, xi);
-    if (!chosen) return false;
-    drawn = *chosen;
-  }
-  way.throughput *= drawn.weight * shading.point.colour;
-  if (!drawn.passes) {
-    const auto ray = scattered(shading, {reflectance::mirrored(shading.u), drawn.weight, 0, true});
-    if (ray) way.ray = *ray;
-    return ray.has_value();
-  }
-  const auto through = refracted(shading, glass, split.refracted_cosine, is_inside);
-  if (!through) return false;
-  way.ray = through->ray;
-  way.throughput *= through->radiance_factor;
-  way.inside = is_inside ? nullptr : &glass;
-  return true;
+  const auto step = step_at_glass(shading, way.ray.direction, settings_.reflects_specular, xi, way.glass);
+  if (!step) return false;
+  way.throughput *= step->weight * shading.point.colour;
+  const auto ray = step->passed
+                       ? step->passed
+                       : scattered(shading, {reflectance::mirrored(shading.u), step->weight, 0, true});
+  if (ray) way.ray = *ray;
+  return ray.has_value();
 }
 
 Rgb NaivePaths::emission(const SurfacePoint& point, const Ray& ray) const {
@@ -181,7 +162,7 @@ Rgb NaivePaths::follow(Way way, int path, bool was_scattered) {
 /// The mean radiance of many paths from the first hit.
 Rgb NaivePaths::mean_of_secondary(const ShadingPoint& shading, const Way& way) {
   Imath::V3d sum(0);
-  const Way start{way.ray, Rgb(1), Rgb(0), way.inside, way.pane_weight};
+  const Way start{way.ray, Rgb(1), Rgb(0), way.glass};
   if (shading.point.surface->is_glass) {
     for (int path = 0; path < settings_.secondary_rays; ++path) {
       Way next = start;

@@ -62,7 +62,6 @@ class Path {
   bool leave(const ShadingPoint& shading, const Vec3f& direction, float pdf);
   bool scatter_at_glass(const ShadingPoint& shading, float xi);
   std::optional<SurfacePoint> next_point();
-  bool passes_pane(const SurfacePoint& point);
   bool has_irradiance(const SurfacePoint& point, const Reflector& reflector) const;
   bool survives(float xi);
   Rgb split(const ShadingPoint& shading, int bounces);
@@ -91,9 +90,7 @@ class Path {
   bool may_split_ = true;             ///< no non-specular hit yet
   int split_count_ = 1;               ///< number of paths that continue from this hit
   Vec3f light_direction_ = Vec3f(0);  ///< to the last light sample that could be reflected
-  // Set only where there is glass.
-  const reflectance::Glass* inside_ = nullptr;  ///< the solid that the ray is in; null: none
-  Rgb pane_weight_ = Rgb(1);                    ///< of the reflection by the pane that the ray has hit
+  GlassState glass_;                  ///< set only where there is glass
   // Set only where contributions are listed.
   int bounces_ = 0;                              ///< before the current ray
   std::uint32_t from_reflector_ = InvalidIndex;  ///< of the point that the ray was scattered from
@@ -211,7 +208,7 @@ void Path<Has>::add_area_light(const ShadingPoint& shading, float choice, const 
   check_finite("radiance of a light", light->radiance, &shading.point);
   Rgb passed = scene_.transmittance_to_end(*ray, light->emitter) * scene_.opacity_at(*light);
   if (reflectance::is_black(passed)) return;
-  if constexpr (Has.transmission) passed *= left_after(inside_, ray->direction.length());
+  if constexpr (Has.transmission) passed *= left_after(glass_.inside, ray->direction.length());
   add_reflected(shading, *lit * light->radiance * passed, light->emitter);
 }
 
@@ -226,7 +223,7 @@ void Path<Has>::add_environment_light(const ShadingPoint& shading, const Vec2f& 
   ++counter_.rays;
   Rgb passed = scene_.transmittance(*ray);
   if (reflectance::is_black(passed)) return;
-  if constexpr (Has.transmission) passed *= left_outside(inside_);
+  if constexpr (Has.transmission) passed *= left_outside(glass_.inside);
   add_reflected(shading, *lit * light->radiance * passed, InvalidIndex);
 }
 
@@ -248,7 +245,7 @@ void Path<Has>::add_resampled_light(const ShadingPoint& shading) {
     ++counter_.rays;
     Rgb passed = scene_.transmittance(*ray);
     if (reflectance::is_black(passed)) return;
-    if constexpr (Has.transmission) passed *= left_outside(inside_);
+    if constexpr (Has.transmission) passed *= left_outside(glass_.inside);
     check_finite("resampled light", estimate, &shading.point);
     add_reflected(shading, throughput_ * shading.point.colour * estimate * passed, InvalidIndex);
   };
@@ -304,49 +301,22 @@ bool Path<Has>::leave(const ShadingPoint& shading, const Vec3f& direction, float
 
 template <PathEffects Has>
 bool Path<Has>::scatter_at_glass(const ShadingPoint& shading, float xi) {
-  const reflectance::Glass& glass = glass_of(shading.reflector);
-  const bool is_inside = ray_.direction.dot(shading.point.geometric_normal) > 0;
-  GlassSample drawn = {false, pane_weight_};  // a pane that lets the path pass is none of its hits
-  reflectance::Glass::Split split;
-  if (!shading.point.surface->is_pane) {
-    split = glass.split(shading.u.z, is_inside);
-    const auto chosen = sample_glass(split, settings_.reflects_specular, xi);
-    if (!chosen) return false;
-    drawn = *chosen;
-  }
-  check_finite("weight of a sampled direction", drawn.weight, &shading.point);
-  throughput_ *= drawn.weight * shading.point.colour;
+  const auto step = step_at_glass(shading, ray_.direction, settings_.reflects_specular, xi, glass_);
+  if (!step) return false;
+  check_finite("weight of a sampled direction", step->weight, &shading.point);
+  throughput_ *= step->weight * shading.point.colour;
   if (reflectance::is_black(throughput_)) return false;
-  if (!drawn.passes) {
+  if (!step->passed) {
     const Vec3f direction = shading.frame.to_world(reflectance::mirrored(shading.u));
     return shading.is_above(direction) && leave(shading, direction, 0);
   }
-  const auto through = refracted(shading, glass, split.refracted_cosine, is_inside);
-  if (!through) return false;
   if constexpr (Has.observe) from_reflector_ = shading.point.surface->reflector;
   pdf_ = 0;
-  ray_ = through->ray;
-  throughput_ *= through->radiance_factor;
-  inside_ = is_inside ? nullptr : &glass;
+  ray_ = *step->passed;
   return true;
 }
 
-/// Chooses whether the path passes a pane, and if so, goes on behind it: the pane is none of its hits, so
-/// that light sampling and BRDF sampling through it agree on the path's length and pdf.
-template <PathEffects Has>
-bool Path<Has>::passes_pane(const SurfacePoint& point) {
-  const Reflector* reflector = scene_.reflector(*point.surface);
-  const auto drawn =
-      sample_pane(glass_of(*reflector), point, ray_.direction, settings_.reflects_specular, sampler_.word());
-  pane_weight_ = drawn ? drawn->weight : Rgb(0);
-  if (!drawn || !drawn->passes) return false;
-  add_emission(point);
-  throughput_ *= drawn->weight * point.colour;
-  ray_ = behind_pane(point, ray_);
-  return true;
-}
-
-/// Returns the point that the path meets next.
+/// Returns the point that the path meets next, behind the panes that it passes.
 template <PathEffects Has>
 std::optional<SurfacePoint> Path<Has>::next_point() {
   const auto cast = [&] {
@@ -358,11 +328,13 @@ std::optional<SurfacePoint> Path<Has>::next_point() {
   } else {
     for (;;) {
       auto point = cast();
-      if (inside_ != nullptr) {
-        throughput_ *=
-            point ? inside_->left_after((point->position - ray_.origin).length()) : left_outside(inside_);
-      }
-      if (!point || !point->surface->is_pane || !passes_pane(*point)) return point;
+      throughput_ *= left_on_way(glass_.inside, ray_, point);
+      if (!point || !point->surface->is_pane) return point;
+      const reflectance::Glass& pane = glass_of(*scene_.reflector(*point->surface));
+      const auto factor = pass_pane(pane, *point, settings_.reflects_specular, sampler_.word(), ray_, glass_);
+      if (!factor) return point;
+      add_emission(*point);
+      throughput_ *= *factor;
     }
   }
 }
