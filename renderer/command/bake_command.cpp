@@ -106,16 +106,6 @@ bool keep(const Bake& bake, job::BakeJob& job, const std::string& scene, const s
   return kept;
 }
 
-ExitCode print_missing(const std::vector<bake::BakePart>& missing, bool as_json) {
-  auto list = nlohmann::json::array();
-  for (const bake::BakePart& part : missing) {
-    list.push_back(fmt::format("--part {}/{}", part.index + 1, part.count));
-    if (!as_json) fmt::print("{}\n", list.back().get<std::string>());
-  }
-  if (as_json) fmt::print("{}\n", json_text(nlohmann::json{{"missing", list}}, false));
-  return list.empty() ? ExitCode::Done : ExitCode::BadInput;
-}
-
 void print_summary(const Bake& bake, const BakeArguments& arguments) {
   const auto error = bake.estimated_error();
   nlohmann::json summary;
@@ -314,7 +304,9 @@ ExitCode merge_bake(const MergeArguments& arguments) {
     const auto part = bake::read_part(path, diagnostics);
     is_done = part && merge.add(*part, path, diagnostics) && is_done;
   }
-  const auto missing = is_done ? merge.missing() : std::vector<bake::BakePart>();
+  std::vector<transport::ImagePart> missing;
+  for (const bake::BakePart& part : is_done ? merge.missing() : std::vector<bake::BakePart>())
+    missing.push_back({.index = static_cast<int>(part.index), .count = static_cast<int>(part.count)});
   if (is_done && arguments.lists_missing) return print_missing(missing, arguments.json);
   if (is_done && !output.ends_with(".part") && missing.empty()) return write_scene(merge.sum(), arguments);
   if (is_done && output.ends_with(".part")) {

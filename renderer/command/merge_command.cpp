@@ -34,16 +34,6 @@ std::optional<PartMerge> merged(const std::vector<std::string>& paths, Diagnosti
   return are_parts ? std::optional(std::move(merge)) : std::nullopt;
 }
 
-ExitCode print_missing(const PartMerge& merge, bool as_json) {
-  auto list = nlohmann::ordered_json::array();
-  for (const transport::ImagePart& part : merge.missing()) {
-    list.push_back(flags_text(part));
-    if (!as_json) fmt::print("{}\n", flags_text(part));
-  }
-  if (as_json) fmt::print("{}\n", json_text(nlohmann::ordered_json{{"missing", list}}, false));
-  return list.empty() ? ExitCode::Done : ExitCode::BadInput;
-}
-
 bool write_images(const PartMerge& merge, const MergeArguments& arguments, Diagnostics& diagnostics) {
   const transport::SamplePart& sum = merge.sum();
   const auto description =
@@ -117,7 +107,7 @@ ExitCode merge(const MergeArguments& arguments) {
   const auto sum = is_done ? merged(arguments.parts, diagnostics) : std::nullopt;
   if (sum && arguments.lists_missing) {
     print(diagnostics);
-    return print_missing(*sum, arguments.json);
+    return print_missing(sum->missing(), arguments.json);
   }
   is_done = sum && write_sum(*sum, arguments, diagnostics);
   print(diagnostics);

@@ -7,6 +7,9 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "renderer/command/json_values.h"
 
 namespace command {
 namespace {
@@ -79,6 +82,16 @@ std::string flags_text(const transport::ImagePart& part) {
   if (part.count > 1 || words.empty())
     words.push_back(fmt::format("--part {}/{}", part.index + 1, part.count));
   return fmt::format("{}", fmt::join(words, " "));
+}
+
+grf::ExitCode print_missing(const std::vector<transport::ImagePart>& missing, bool as_json) {
+  auto list = nlohmann::json::array();
+  for (const transport::ImagePart& part : missing) {
+    list.push_back(flags_text(part));
+    if (!as_json) fmt::print("{}\n", flags_text(part));
+  }
+  if (as_json) fmt::print("{}\n", json_text(nlohmann::json{{"missing", list}}, false));
+  return list.empty() ? grf::ExitCode::Done : grf::ExitCode::BadInput;
 }
 
 }  // namespace command

@@ -3,7 +3,9 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "grf/exit_code.h"
 #include "renderer/command/render_arguments.h"
 #include "renderer/transport/image_part.h"
 
@@ -23,5 +25,8 @@ std::optional<transport::ImagePart> image_part_of(const PartFlags& part_flags, O
 
 /// Returns the flags that choose a part.
 std::string flags_text(const transport::ImagePart& part);
+
+/// Prints parts that lack as flags, one a line, or as JSON. Returns BadInput if there are any.
+grf::ExitCode print_missing(const std::vector<transport::ImagePart>& missing, bool as_json);
 
 }  // namespace command
