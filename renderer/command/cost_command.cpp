@@ -300,6 +300,7 @@ struct CostTask {
   std::string base;
   CostConditions conditions;
   std::optional<CropWindow> crop;
+  std::string reference_digest = {};  ///< of a given reference
 };
 
 CostResult result_of(const CostSweep& sweep, const CostPlan& plan, const CostTask& task) {
@@ -313,8 +314,7 @@ CostResult result_of(const CostSweep& sweep, const CostPlan& plan, const CostTas
   result.reference_path = task.arguments.reference;
   result.reference_samples = plan.reference_samples;
   result.reference_depth = plan.reference.settings.integrator.depth;
-  if (sweep.reference() && !task.arguments.reference.empty())
-    result.reference_digest = digest_of_image(sweep.reference()->image);
+  result.reference_digest = task.reference_digest;
   if (sweep.reference() && task.arguments.reference.empty()) {
     result.reference_seconds = sweep.reference()->seconds;
     result.reference_error = std::sqrt(sweep.reference()->relmse);
@@ -419,8 +419,9 @@ ExitCode cost(const CostArguments& arguments) {
   if (is_ready) {
     // Before the reference is read, which is none of the scene's files.
     task.conditions = conditions_of(arguments, *all, *render_options, diagnostics);
-    is_ready = read_reference(arguments.reference, size, plan, diagnostics) &&
-               take_earlier(arguments, lines, task.conditions, plan, diagnostics);
+    is_ready = read_reference(arguments.reference, size, plan, diagnostics);
+    if (is_ready && plan.given) task.reference_digest = digest_of_image(plan.given->image);
+    is_ready = is_ready && take_earlier(arguments, lines, task.conditions, plan, diagnostics);
   }
   fmt::print(stderr, "{}", diagnostics.to_text());
   if (!is_ready) return ExitCode::BadInput;
