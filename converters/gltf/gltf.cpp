@@ -36,9 +36,8 @@ Format common() {
       "coats, sheen and anisotropy, glass, emission, opacity, perspective cameras (those of OP files)";
   format.loses =
       "maps other than of the base colour, rough transmission, points, lines, other cameras, lenses, cones "
-      "of spot "
-      "lights, "
-      "animations; for other programs: BRDFs that are not metallic-roughness, sampling schemes, irradiance";
+      "of spot lights, animations; for other programs: BRDFs that are not metallic-roughness, sampling "
+      "schemes, irradiance";
   format.read_materials = gltf_material_rules();
   format.written_materials = gltf_material_writer_rules();
   return format;

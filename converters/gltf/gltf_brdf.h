@@ -27,7 +27,7 @@ struct GltfBrdf {
   double iridescence = 0;
   double iridescence_ior = 1.3;
   double film_thickness = 400;  ///< nanometres
-  // Of the BRDF `glass`, which it is if most light is transmitted: `base` is then the colour of a pane.
+  // A material that transmits most light is the BRDF `glass`, and `base` is then the colour of a pane.
   double transmission = 0;
   double thickness = 0;  ///< over 0: it bounds a solid
   grf::Vec3d attenuation_colour = grf::Vec3d(1);
