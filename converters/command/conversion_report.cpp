@@ -12,13 +12,13 @@
 #include "converters/embedded_files.h"
 #include "converters/scene_building.h"
 #include "converters/surface_comparison.h"
-#include "grf/framing.h"
 #include "grf/relocate.h"
 #include "grf/text_file.h"
 #include "grf/visit.h"
 #include "renderer/image/image.h"
 #include "renderer/image/image_error.h"
 #include "renderer/image/image_file.h"
+#include "renderer/job/camera_path.h"
 #include "renderer/job/render_job.h"
 #include "renderer/options/op_file.h"
 #include "renderer/transport/render.h"
@@ -87,11 +87,11 @@ bool ReportWriter::set_view(const grf::Scene& original) {
     if (!read) return false;
     view_ = *read;
   }
+  const transport::View framing = job::own_view(view_, bounds_of(original));
+  view_.eye = grf::Vec3f(framing.eye);
+  view_.target = grf::Vec3f(framing.target);
   const double aspect = double(view_.size.width) / double(view_.size.height);
   view_.size = {PictureWidth, std::max(1, static_cast<int>(std::lround(PictureWidth / aspect)))};
-  const grf::Box3d bounds = bounds_of(original);
-  if (!view_.eye) view_.eye = grf::Vec3f(grf::framing_eye(bounds, double(view_.field_of_view), aspect));
-  if (!view_.target) view_.target = bounds.isEmpty() ? grf::Vec3f(0) : grf::Vec3f(bounds.center());
   const bool is_dark = view_.environment.empty() && view_.background == grf::Vec3f(0);
   if (is_dark && !has_light(original)) view_.background = grf::Vec3f(1);
   view_.samples = SamplesPerPixel;
@@ -189,10 +189,10 @@ void ReportWriter::add_surfaces(const ComparedScene& compared) {
   document_.add_heading(2, "Surfaces");
   document_.add_paragraph(
       "Albedos are means of the channels, of the original and of what comes back, by the angle of the view "
-      "from "
-      "the normal. The error of the lobe is the mean of the difference of both BRDFs times the cosine, over "
-      "all "
-      "directions of the light and those views, as a fraction of the original. Textures are not part of it.");
+      "from the normal. The error of the lobe is the mean of the difference of both BRDFs times the cosine, "
+      "over all directions of the light and those views, as a fraction of the original. Textures are not "
+      "part "
+      "of it.");
   std::vector<Row> rows = {{"surface", "faces", "what comes back"}};
   for (const double degrees : ComparedDegrees) rows[0].push_back(fmt::format("albedo at {}°", degrees));
   rows[0].insert(rows[0].end(), {"largest change", "error of the lobe"});
