@@ -1,5 +1,5 @@
-// What other formats make of a surface, in GRF: as the format's reader has it, or by the mapping of a format
-// that is only written.
+// A surface comes back from another format as the format's reader has it, or by the mapping of a format that
+// is only written.
 #pragma once
 
 #include <cstddef>

@@ -78,12 +78,13 @@ void UsdMaterialWriter::put_preview_colours() {
 // GRF's faces are absent where they are not opaque, and with them their highlight.
 void UsdMaterialWriter::put_preview_opacity() {
   const grf::Opacity& opacity = material_.shaded.surface.opacity;
-  if (opacity == grf::Opacity() && material_.preview.is_glass()) {
+  if (opacity == grf::Opacity()) {
+    if (!material_.preview.is_glass()) return;
     // The highlight of glass stays.
     text_.line("float inputs:opacity = 0");
     text_.line("token inputs:opacityMode = \"transparent\"");
+    return;
   }
-  if (opacity == grf::Opacity()) return;
   if (opacity.reads_alpha() && is_textured()) {
     text_.line(fmt::format("float inputs:opacity.connect = <{}/PreviewTexture.outputs:a>", path_));
     if (opacity.kind == grf::Opacity::Kind::Mask)
