@@ -71,6 +71,20 @@ std::optional<std::string> wrong_value(const Value& value, const ParameterInfo& 
   return std::nullopt;
 }
 
+/// Returns an error message for an image that cannot vary a parameter, or nothing if it can.
+std::optional<std::string> wrong_map(const Argument& argument, const ParameterInfo& parameter,
+                                     const ModelInfo& info) {
+  if (!argument.map) return std::nullopt;
+  const bool is_colour = parameter.kind == ParameterKind::Reflectance;
+  if (!info.takes_maps) return "no image can vary it over faces";
+  if ((!is_colour && parameter.kind != ParameterKind::Number) || parameter.is_whole)
+    return "an image varies only numbers that need not be whole, and colours";
+  if (argument.map->channel == ImageChannel::Rgb && !is_colour)
+    return "one number, expected the channel r, g, b or a of the image";
+  if (argument.map->file.empty()) return "expected the name of an image";
+  return std::nullopt;
+}
+
 /// Returns whether an unknown parameter is really the start of a definition that lacks `brdf` or `pdf`: the
 /// arguments after it are then that definition's parameters.
 bool begins_definition(const Argument& argument, const std::vector<ModelInfo>& models) {
@@ -88,6 +102,9 @@ void check_arguments(const Model& model, const ModelInfo& info, const std::vecto
       if (begins_definition(argument, models)) return;
     } else if (!given.insert(parameter->name).second) {
       diagnostics.error(argument.location, fmt::format("the parameter '{}' is given twice", parameter->name));
+    } else if (const auto wrong_image = wrong_map(argument, *parameter, info)) {
+      diagnostics.error(argument.location,
+                        fmt::format("'{}' of '{}': {}", parameter->name, info.keyword, *wrong_image));
     } else if (const auto wrong = wrong_value(argument.value, *parameter)) {
       diagnostics.error(argument.location,
                         fmt::format("'{}' of '{}': {}", parameter->name, info.keyword, *wrong));

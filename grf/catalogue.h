@@ -72,6 +72,7 @@ struct ModelInfo {
   std::string_view not_conserving;
   std::string_view not_continuous;
   ArgumentKind argument_kind = ArgumentKind::Parameters;
+  bool takes_maps = false;  ///< images may vary its numbers and colours over faces
   /// Validates values that are each in range together: returns an error message or an empty string. May be
   /// null.
   std::string (*validate)(const Model&) = nullptr;

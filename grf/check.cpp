@@ -84,6 +84,7 @@ class Check {
 
  private:
   void check_mesh(const Mesh& mesh, const Scope& scope, const SourceLocation& location) {
+    std::vector<bool> reads_images;
     for (const Surface& surface : mesh.surfaces) {
       const SourceLocation& place = surface.location.file ? surface.location : location;
       if (surface.brdf) check_model_attribute(*surface.brdf, brdfs_, scope);
@@ -92,10 +93,13 @@ class Check {
       check_texture(surface.texture, place, scope);
       if (surface.emission) check_not_negative(*surface.emission, place, "radiance");
       if (surface.opacity) check_opacity(surface, place);
+      const ResolvedSurface resolved = resolve(surface, scope);
+      reads_images.push_back(surface.texture.has_value() ||
+                             (resolved.brdf != nullptr && has_maps(*resolved.brdf)));
     }
     check_vertices(mesh, location);
     warn_of_default(mesh, location);
-    faces_.add(mesh, location, diagnostics_);
+    faces_.add(mesh, reads_images, location, diagnostics_);
   }
 
   void check_mesh_light(const Mesh& mesh, const Scope& scope, const SourceLocation& location) {
@@ -109,7 +113,7 @@ class Check {
       }
     }
     check_vertices(mesh, location);
-    faces_.add(mesh, location, diagnostics_);
+    faces_.add(mesh, std::vector<bool>(mesh.surfaces.size()), location, diagnostics_);
   }
 
   void check_vertices(const Mesh& mesh, const SourceLocation& location) {
@@ -162,6 +166,9 @@ class Check {
     if (!layer_names(brdf.keyword).empty() && !has_layers(brdf, scope)) return;
     check_known_model(brdf, kind, scope);
     if (const ModelInfo* info = find_model(kind.models, brdf.keyword)) check_data_file(brdf, *info);
+    for (const Argument& argument : brdf.arguments) {
+      if (argument.map && !argument.map->file.empty()) check_image(map_path(argument), argument.location);
+    }
     if (diagnostics_.error_count() == errors_before) warn_of_gain(brdf);
   }
   // Some published models gain energy, and lobes may sum to more than 1: a warning, since it may be intended.
@@ -202,7 +209,7 @@ class Check {
     if (brdf.terms.empty())
       diagnostics_.error(brdf.location, "'combine' without terms, expected weights and names");
     for (const CombineTerm& term : brdf.terms) {
-      check_reference<BrdfModel>(term.brdf, "BRDF", scope);
+      check_term(brdf, term, scope);
       if (term.weight < 0) {
         diagnostics_.error(term.brdf.location,
                            fmt::format("the weight {} of a BRDF, expected 0 or more", term.weight));
@@ -211,6 +218,16 @@ class Check {
     ModelInfo info;
     info.keyword = "combine";
     for (const Argument& argument : brdf.arguments) report_unknown_parameter(argument, info, diagnostics_);
+  }
+
+  /// Checks a BRDF that a sum or a layered model names. Layers are tabulated once, and not for each point.
+  void check_term(const BrdfModel& whole, const CombineTerm& term, const Scope& scope) {
+    check_reference<BrdfModel>(term.brdf, "BRDF", scope);
+    const auto* brdf = scope.find<BrdfModel>(term.brdf.name);
+    if (brdf == nullptr || !has_maps(*brdf)) return;
+    diagnostics_.error(term.brdf.location,
+                       fmt::format("images vary parameters of '{}', which '{}' cannot have as a part",
+                                   term.brdf.name, whole.keyword));
   }
 
   /// Checks the layers of a layered model; returns false if their names are not all given. Each layer
@@ -222,7 +239,7 @@ class Check {
                                                     brdf.keyword, fmt::join(names, "=NAME ")));
       return false;
     }
-    for (const CombineTerm& term : brdf.terms) check_reference<BrdfModel>(term.brdf, "BRDF", scope);
+    for (const CombineTerm& term : brdf.terms) check_term(brdf, term, scope);
     if (1 + deepest_layers(brdf, scope) > MostLayers) {
       diagnostics_.error(brdf.location,
                          fmt::format("'{}': over {} layers above each other", brdf.keyword, MostLayers));
@@ -276,9 +293,12 @@ class Check {
     }
   }
 
-  // A missing image is a warning, since the scene still renders without it. Each is reported once.
   void check_image(const Texture& texture, const SourceLocation& place) {
-    const std::string path = path_of(place, texture.file);
+    check_image(path_of(place, texture.file), place);
+  }
+
+  // A missing image is a warning, since the scene still renders without it. Each is reported once.
+  void check_image(const std::string& path, const SourceLocation& place) {
     std::error_code error;
     if (std::filesystem::is_regular_file(path, error) || !known_images_.insert(path).second) return;
     diagnostics_.warning(place, fmt::format("there is no image '{}'", path));

@@ -19,10 +19,8 @@ namespace {
 constexpr double LeastHeight = 1e-6;
 
 bool lacks_uv(const Mesh& mesh, std::size_t face) {
-  const auto corners = mesh.face(face);
-  return mesh.surface(face).texture && std::any_of(corners.begin(), corners.end(), [&](std::uint32_t corner) {
-           return !mesh.geometry->uvs.has(corner);
-         });
+  return std::ranges::any_of(mesh.face(face),
+                             [&](std::uint32_t corner) { return !mesh.geometry->uvs.has(corner); });
 }
 
 std::string subject(const FaceDefects& faces) {
@@ -48,7 +46,8 @@ std::string path_of(const SourceLocation& location) {
 
 }  // namespace
 
-void FaceCheck::add(const Mesh& mesh, const SourceLocation& location, Diagnostics& diagnostics) {
+void FaceCheck::add(const Mesh& mesh, const std::vector<bool>& reads_images, const SourceLocation& location,
+                    Diagnostics& diagnostics) {
   Found found{location, {}, {}, {}};
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
     const Vec3d area = doubled_area_vector(*mesh.geometry, i, Matrix44d());
@@ -57,7 +56,7 @@ void FaceCheck::add(const Mesh& mesh, const SourceLocation& location, Diagnostic
     } else if (has_normals_behind(*mesh.geometry, i, area)) {
       add_face(found.turned, i);
     }
-    if (lacks_uv(mesh, i)) add_face(found.without_uv, i);
+    if (reads_images[(*mesh.surface_of_face)[i]] && lacks_uv(mesh, i)) add_face(found.without_uv, i);
   }
   if (location.line > 0) return report(found, diagnostics);
   const auto of_file = std::find_if(without_lines_.begin(), without_lines_.end(), [&](const Found& other) {

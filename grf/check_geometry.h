@@ -20,8 +20,9 @@ struct FaceDefects {
 /// without uv: once per mesh if meshes have line numbers, and otherwise once per file.
 class FaceCheck {
  public:
-  /// Looks for defects of one mesh.
-  void add(const Mesh& mesh, const SourceLocation& location, Diagnostics& diagnostics);
+  /// Looks for defects of one mesh. For each of its surfaces, `reads_images` tells whether images need uv.
+  void add(const Mesh& mesh, const std::vector<bool>& reads_images, const SourceLocation& location,
+           Diagnostics& diagnostics);
 
   /// Reports the defects, once every mesh was added.
   void report(Diagnostics& diagnostics) const;

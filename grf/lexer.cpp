@@ -157,7 +157,7 @@ Token Lexer::scan() {
     return finish(TokenKind::Word, begin, {begin, static_cast<std::size_t>(position_ - begin)});
   }
   if (is_digit(c) || c == '-' || c == '+' || c == '.') return scan_number();
-  if (c == '(' || c == ')' || c == ',' || c == '=') {
+  if (c == '(' || c == ')' || c == ',' || c == '=' || c == '*') {
     ++position_;
     return finish(TokenKind::Punctuation, begin, {begin, 1});
   }

@@ -41,9 +41,11 @@ class Lexer {
 
   const Token& peek() const { return ahead_; }  ///< Returns the next token; `next` also steps over it.
   Token next();
-  /// Returns the second token of lookahead, or the third. Costs a second scan: not for lists of numbers.
+  /// Returns the second token of lookahead, the third or the fourth. Costs a second scan: not for lists of
+  /// numbers.
   Token peek_second() { return scan_ahead(1); }
   Token peek_third() { return scan_ahead(2); }
+  Token peek_fourth() { return scan_ahead(3); }
 
   /// Reads `(a, b, c)` at once if the next token begins it, on one line, and it has no special case (a
   /// comment, a suffix, a number out of range). This is a fast path: most of a large scene is such lists, and

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,11 +24,25 @@ struct Word {
 /// The value of a parameter: a number, a boolean, an RGB triple (for a reflectance), or a word.
 using Value = std::variant<float, bool, Colour, Word>;
 
-/// A named argument of a model, `name = value`.
+/// Channels of an image. A single one is data, as the file stores it: from 0 to 1, if the file has integers.
+/// `Rgb` is a colour, decoded as that of a texture.
+enum class ImageChannel { Red, Green, Blue, Alpha, Rgb };
+
+/// An image that varies a parameter over faces, by their texture coordinates.
+struct ParameterMap {
+  /// The image, as written, relative to the folder of the file that names it; quotes as in a mesh's name.
+  std::string file;
+  ImageChannel channel = ImageChannel::Red;
+
+  bool operator==(const ParameterMap&) const = default;
+};
+
+/// A named argument of a model, `name = value` or `name = texture "file" channel * value`.
 struct Argument {
   std::string name;
-  Value value;
+  Value value;  ///< with a map, a number or a colour, which multiplies the image
   SourceLocation location;
+  std::optional<ParameterMap> map = std::nullopt;
 
   friend bool operator==(const Argument& a, const Argument& b);
 };
@@ -90,6 +105,16 @@ bool is_layered(const BrdfModel& brdf);
 struct PdfModel : Model {
   bool operator==(const PdfModel&) const = default;
 };
+
+/// Returns the word for a channel in GRF: `r`, `g`, `b`, `a` or `rgb`.
+std::string_view word_of(ImageChannel channel);
+/// Returns the channel that a word means, without regard to case, or nothing.
+std::optional<ImageChannel> find_channel(std::string_view word);
+
+/// Returns whether an image varies a parameter.
+bool has_maps(const Model& model);
+/// Returns the path of the image of an argument that has one, relative to the file that the argument is in.
+std::string map_path(const Argument& argument);
 
 /// Returns whether a model is written as only its keyword: it reads as a reference if a definition of its
 /// kind has that name.

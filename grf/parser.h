@@ -131,7 +131,9 @@ class Parser {
   bool parse_keyword(Model& model);
   bool parse_arguments(Model& model, std::optional<NextDefinition>* next);
   bool at_definition_body(bool may_be_name);
-  bool parse_value(const Token& name, Value& value);
+  bool at_map();
+  bool parse_map(Argument& argument);
+  bool parse_value(std::string_view name, Value& value);
   bool parse_terms(std::vector<CombineTerm>& terms);
   bool parse_layered(BrdfModel& brdf, std::optional<NextDefinition>* next);
   bool parse_brdf_file(BrdfModel& brdf);

@@ -96,12 +96,13 @@ bool Parser::parse_arguments(Model& model, std::optional<NextDefinition>* next) 
     const Token name = lexer_.next();
     lexer_.next();
     const bool names_layer = is_layer(model.keyword, name.text);
-    if (next != nullptr && at_definition_body(names_layer)) {
+    const bool is_map = at_map();
+    if (next != nullptr && !is_map && at_definition_body(names_layer)) {
       *next = NextDefinition{name, line_before};
       return true;
     }
     const bool at_layer = names_layer && at_identifier();
-    if (next != nullptr && !starts_value(lexer_.peek()) && !at_layer) {
+    if (next != nullptr && !is_map && !starts_value(lexer_.peek()) && !at_layer) {
       return fail_expected(
           fmt::format("a value for the parameter '{0}' of '{1}', or 'rgb', 'brdf', 'pdf', 'texture' or "
                       "'begin mesh' for a definition called '{0}'",
@@ -110,7 +111,7 @@ bool Parser::parse_arguments(Model& model, std::optional<NextDefinition>* next) 
     Argument argument{std::string(name.text), {}, lexer_.location(name)};
     if (at_layer) {
       argument.value = Word{std::string(lexer_.next().text)};
-    } else if (!parse_value(name, argument.value)) {
+    } else if (!(is_map ? parse_map(argument) : parse_value(argument.name, argument.value))) {
       return false;
     }
     if (const auto* word = std::get_if<Word>(&argument.value); next != nullptr && word != nullptr) {
@@ -135,7 +136,27 @@ bool Parser::at_definition_body(bool may_be_name) {
          !lexer_.peek_third().is('=');
 }
 
-bool Parser::parse_value(const Token& name, Value& value) {
+// The channel tells the image of a parameter from the texture of the next definition, or of the face.
+bool Parser::at_map() {
+  if (!at("texture") || lexer_.peek_second().kind != TokenKind::String) return false;
+  const Token channel = lexer_.peek_third();
+  return channel.kind == TokenKind::Word && find_channel(channel.text) && !lexer_.peek_fourth().is('=');
+}
+
+bool Parser::parse_map(Argument& argument) {
+  lexer_.next();
+  ParameterMap& map = argument.map.emplace();
+  map.file = lexer_.next().text;
+  map.channel = *find_channel(lexer_.next().text);
+  argument.value = 1.0F;
+  if (!accept('*')) return true;
+  if (lexer_.peek().is('(') || lexer_.peek().kind == TokenKind::Number)
+    return parse_value(argument.name, argument.value);
+  return fail_expected(
+      fmt::format("a number or three numbers in parentheses, a factor of '{}'", argument.name));
+}
+
+bool Parser::parse_value(std::string_view name, Value& value) {
   if (lexer_.peek().is('(')) return parse_vector(value.emplace<Colour>());
   if (is_boolean(lexer_.peek())) {
     value = same_keyword(lexer_.next().text, "true");
@@ -145,9 +166,14 @@ bool Parser::parse_value(const Token& name, Value& value) {
     value = Word{std::string(lexer_.next().text)};
     return true;
   }
+  if (at("texture") && lexer_.peek_second().kind == TokenKind::String) {
+    lexer_.next();
+    lexer_.next();
+    return fail_expected(fmt::format("the channel of the image for '{}': r, g, b, a or rgb", name));
+  }
   if (lexer_.peek().kind != TokenKind::Number) {
-    return fail_expected(
-        fmt::format("a number, 'true', 'false', a word or three numbers in parentheses for '{}'", name.text));
+    return fail_expected(fmt::format(
+        "a number, 'true', 'false', a word, three numbers in parentheses or 'texture' for '{}'", name));
   }
   return parse_number(value.emplace<float>());
 }

@@ -101,17 +101,25 @@ class Mover {
   void move(Reference&) const {}
 
   void move(BrdfModel& brdf) const {
-    // A data file named in a BRDF's own file is relative to that file.
+    // Data files and images named in a BRDF's own file are relative to that file.
     if (brdf.instance_file.empty()) {
-      brdf.data_file = names_.moved(brdf.data_file);
+      move_data(brdf, [this](const std::string& name) { return names_.moved(name); });
     } else if (writes_brdfs_out_) {
-      brdf.data_file = names_.moved_from(brdf.instance_file, brdf.data_file);
+      move_data(brdf, [&](const std::string& name) { return names_.moved_from(brdf.instance_file, name); });
       brdf.instance_file.clear();
     } else {
       brdf.instance_file = names_.moved(brdf.instance_file);
     }
   }
   void move(Texture& texture) const { texture.file = names_.moved(texture.file); }
+
+  template <class Move>
+  static void move_data(BrdfModel& brdf, Move moved) {
+    brdf.data_file = moved(brdf.data_file);
+    for (Argument& argument : brdf.arguments) {
+      if (argument.map) argument.map->file = moved(argument.map->file);
+    }
+  }
 
   const Names& names_;
   bool writes_brdfs_out_;

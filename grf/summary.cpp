@@ -50,7 +50,10 @@ class Counter {
       add(light, placement.to_world);
     };
     visitor.definition = [this](const Definition& definition, const Placement&) {
-      if (std::holds_alternative<BrdfModel>(definition.body)) ++summary_.brdfs;
+      if (const auto* brdf = std::get_if<BrdfModel>(&definition.body)) {
+        ++summary_.brdfs;
+        add_maps(*brdf);
+      }
       if (std::holds_alternative<PdfModel>(definition.body)) ++summary_.pdfs;
       if (const auto* texture = std::get_if<Texture>(&definition.body)) add_image(*texture);
     };
@@ -103,6 +106,8 @@ class Counter {
       if (!is_used[i]) continue;
       const Surface& surface = mesh.surfaces[i];
       if (surface.brdf) add_model<BrdfModel>(*surface.brdf, brdfs_);
+      const auto* brdf = surface.brdf ? std::get_if<BrdfModel>(&*surface.brdf) : nullptr;
+      if (brdf != nullptr) add_maps(*brdf);
       if (surface.pdf) add_model<PdfModel>(*surface.pdf, pdfs_);
       const auto* texture = surface.texture ? std::get_if<Texture>(&*surface.texture) : nullptr;
       if (texture != nullptr) add_image(*texture);
@@ -114,6 +119,12 @@ class Counter {
   void add_image(const Texture& texture) {
     const auto& file = texture.location.file;
     images_.insert(file ? path_beside(file->path, texture.file) : texture.file);
+  }
+
+  void add_maps(const BrdfModel& brdf) {
+    for (const Argument& argument : brdf.arguments) {
+      if (argument.map) images_.insert(map_path(argument));
+    }
   }
 
   template <class Model>

@@ -38,6 +38,9 @@ inline constexpr std::string_view NotFinite = "it would have numbers that are in
 inline constexpr std::string_view NoValueWord =
     "it would have words as values of parameters that are not names, or that begin a definition (such as "
     "rgb)";
+/// Why an image cannot be written, for messages.
+inline constexpr std::string_view MapWithoutFactor =
+    "it would have images of parameters whose factor is neither a number nor a colour";
 
 bool is_finite(const Vec2f& v);  ///< Returns whether no component is infinite or NaN.
 bool is_finite(const Vec3f& v);

@@ -26,6 +26,11 @@ std::string text_of(const std::vector<Argument>& arguments) {
   std::string text;
   for (const Argument& argument : arguments) {
     text += ' ' + argument.name + '=';
+    if (argument.map) {
+      text += fmt::format("texture {} {}", quoted(argument.map->file), word_of(argument.map->channel));
+      if (argument.value == Value(1.0F)) continue;
+      text += " * ";
+    }
     if (const auto* number = std::get_if<float>(&argument.value)) text += fmt::format("{}", *number);
     if (const auto* word = std::get_if<Word>(&argument.value)) text += word->text;
     if (const auto* flag = std::get_if<bool>(&argument.value)) text += *flag ? "true" : "false";
@@ -77,6 +82,7 @@ std::string_view problem_of(const Model& model) {
     const auto* number = std::get_if<float>(&argument.value);
     const auto* colour = std::get_if<Colour>(&argument.value);
     const auto* word = std::get_if<Word>(&argument.value);
+    if (argument.map && number == nullptr && colour == nullptr) return MapWithoutFactor;
     if (number != nullptr && !is_finite(*number)) return NotFinite;
     if (colour != nullptr && !is_finite(*colour)) return NotFinite;
     if (word != nullptr && !is_value_word(word->text)) return NoValueWord;

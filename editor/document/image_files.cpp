@@ -15,8 +15,16 @@
 namespace editor {
 namespace {
 
-/// Texture file names as the scene's own file writes them.
-std::set<std::string> texture_names(const grf::Scene& scene, const std::string& path) {
+/// Adds the images of a BRDF's parameters. Those of a BRDF file are beside it and not beside the scene.
+void add_maps(const grf::BrdfModel& brdf, std::set<std::string>& names) {
+  if (!brdf.instance_file.empty()) return;
+  for (const grf::Argument& argument : brdf.arguments) {
+    if (argument.map) names.insert(argument.map->file);
+  }
+}
+
+/// Names of image files as the scene's own file writes them.
+std::set<std::string> image_names(const grf::Scene& scene, const std::string& path) {
   std::set<std::string> names;
   grf::SceneVisitor visitor;
   visitor.mesh = [&](const grf::Mesh& mesh, const grf::Placement& placement, const grf::Block&) {
@@ -24,11 +32,14 @@ std::set<std::string> texture_names(const grf::Scene& scene, const std::string& 
     for (const grf::Surface& surface : mesh.surfaces) {
       const auto* texture = surface.texture ? std::get_if<grf::Texture>(&*surface.texture) : nullptr;
       if (texture != nullptr) names.insert(texture->file);
+      const auto* brdf = surface.brdf ? std::get_if<grf::BrdfModel>(&*surface.brdf) : nullptr;
+      if (brdf != nullptr) add_maps(*brdf, names);
     }
   };
   visitor.definition = [&](const grf::Definition& definition, const grf::Placement& placement) {
     if (placement.file != path) return;
     if (const auto* texture = std::get_if<grf::Texture>(&definition.body)) names.insert(texture->file);
+    if (const auto* brdf = std::get_if<grf::BrdfModel>(&definition.body)) add_maps(*brdf, names);
   };
   grf::visit(scene, visitor, path);
   return names;
@@ -62,7 +73,7 @@ std::map<std::string, std::string> copy_images(const grf::Scene& scene, const st
   std::map<std::string, std::string> names;
   if (folders.empty()) return names;
   const QDir destination = QFileInfo(QString::fromStdString(to)).dir();
-  for (const std::string& name : texture_names(scene, from)) {
+  for (const std::string& name : image_names(scene, from)) {
     const QFileInfo file(QString::fromStdString(grf::path_beside(from, name)));
     const bool is_ours = std::ranges::any_of(folders, [&](const auto& folder) {
       return QFileInfo(folder->path()).canonicalFilePath() == file.canonicalPath();

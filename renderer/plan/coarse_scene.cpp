@@ -13,6 +13,7 @@
 #include "grf/write.h"
 #include "renderer/plan/convex_solid.h"
 #include "renderer/reflectance/brdf_maker.h"
+#include "renderer/reflectance/varying_brdf.h"
 #include "renderer/transport/scene/mesh_builder.h"
 #include "renderer/transport/scene/scene_stats.h"
 
@@ -141,6 +142,17 @@ const MeshFacts& CoarseSceneBuilder::facts(const Mesh& mesh) {
   return found != facts_.end() ? found->second : facts_.emplace(&mesh, facts_of(mesh)).first->second;
 }
 
+/// Describes a BRDF that images vary, without reading them: it may have any component but those that its
+/// model never has.
+void describe_varying(const grf::BrdfModel& brdf, CoarseSurface& surface) {
+  const reflectance::VaryingBrdf varying(brdf);
+  for (const reflectance::VaryingBrdf::Map& map : varying.maps()) surface.maps.push_back(map.path);
+  surface.is_diffuse = true;
+  surface.is_glossy = !varying.is_diffuse();
+  surface.is_specular = varying.may_be_specular();
+  surface.is_anisotropic = varying.may_be_anisotropic();
+}
+
 /// Describes a BRDF without loading data: a measured one may have any component but a specular one.
 void CoarseSceneBuilder::describe_brdf(const grf::ResolvedSurface& resolved, CoarseSurface& surface) {
   surface.brdf = resolved.brdf != nullptr ? to_text(*resolved.brdf) : "diffuse";
@@ -155,6 +167,7 @@ void CoarseSceneBuilder::describe_brdf(const grf::ResolvedSurface& resolved, Coa
     surface.is_anisotropic |= reflectance::is_anisotropic(brdf);
   };
   if (resolved.brdf == nullptr) return add(reflectance::default_brdf());
+  if (has_maps(*resolved.brdf)) return describe_varying(*resolved.brdf, surface);
   for (const grf::BrdfModel* leaf : brdfs_.models_of(*resolved.brdf, resolved.brdf_scope)) {
     if (const auto brdf = reflectance::make_brdf(*leaf)) add(*brdf);
     if (leaf->data_file.empty()) continue;

@@ -25,14 +25,16 @@ struct CoarseSurface {
   bool is_anisotropic = false;
   bool is_measured = false;
   bool has_irradiance = false;
-  bool is_smooth = false;    ///< some face has vertex normals that differ from its own
-  bool has_colours = false;  ///< some vertex of the mesh has a colour other than white
-  bool is_cutout = false;    ///< it lets light pass, somewhere or in part
-  std::string texture;       ///< path; empty: none
-  std::string alpha;         ///< path of the texture whose alpha its opacity reads; empty: none
-  std::string brdf, scheme;  ///< as written in the scene; empty without a BRDF
-  std::string identity;      ///< identifies the BRDF as resolved there, see BrdfMaker; empty: GRF's default
+  bool is_smooth = false;         ///< some face has vertex normals that differ from its own
+  bool has_colours = false;       ///< some vertex of the mesh has a colour other than white
+  bool is_cutout = false;         ///< it lets light pass, somewhere or in part
+  std::string texture;            ///< path; empty: none
+  std::vector<std::string> maps;  ///< paths of the images that vary its BRDF
+  std::string alpha;              ///< path of the texture whose alpha its opacity reads; empty: none
+  std::string brdf, scheme;       ///< as written in the scene; empty without a BRDF
+  std::string identity;  ///< identifies the BRDF as resolved there, see BrdfMaker; empty: GRF's default
 
+  bool reads_images() const { return !texture.empty() || !maps.empty(); }
   bool reflects() const { return is_diffuse || is_glossy || is_specular; }
   bool is_only_diffuse() const { return is_diffuse && !is_glossy && !is_specular; }
 };

@@ -285,7 +285,7 @@ Answer Planner::of(Effect effect) const {
       return of_faces([](const CoarseSurface& surface) { return surface.is_anisotropic; },
                       "an anisotropic BRDF");
     case Effect::Textures:
-      return of_faces([](const CoarseSurface& surface) { return !surface.texture.empty(); }, "a texture");
+      return of_faces([](const CoarseSurface& surface) { return surface.reads_images(); }, "a texture");
     case Effect::Opacity:
       return opacity();
     case Effect::VertexColours:
@@ -341,17 +341,21 @@ void Planner::add_textures(Plan& plan) const {
   std::vector<FaceCounts> faces_of_texture;
   const bool are_on = settings_.limits.effects.has(Effect::Textures);
   const bool has_opacity = of(Effect::Opacity).is_needed;
-  for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
-    const CoarseSurface& surface = coarse_scene_.surfaces[i];
-    const std::string& file = surface.texture.empty() ? surface.alpha : surface.texture;
-    if (file.empty()) continue;
+  const auto add = [&](const std::string& file, const CoarseSurface& surface, bool is_needed) {
+    if (file.empty()) return;
     const auto [place, is_new] = places.try_emplace(file, plan.textures.size());
     if (is_new) plan.textures.push_back({file, false, {}});
     faces_of_texture.resize(plan.textures.size());
     faces_of_texture[place->second].add(surface);
     PlannedTexture& texture = plan.textures[place->second];
-    texture.is_needed =
-        texture.is_needed || (are_on && reachability_.reflects[i]) || (has_opacity && !surface.alpha.empty());
+    texture.is_needed = texture.is_needed || is_needed;
+  };
+  for (std::size_t i = 0; i < coarse_scene_.surfaces.size(); ++i) {
+    const CoarseSurface& surface = coarse_scene_.surfaces[i];
+    const bool colours = are_on && reachability_.reflects[i];
+    add(surface.texture.empty() ? surface.alpha : surface.texture, surface,
+        colours || (has_opacity && !surface.alpha.empty()));
+    for (const std::string& map : surface.maps) add(map, surface, colours);
   }
   for (std::size_t i = 0; i < plan.textures.size(); ++i) {
     if (plan.textures[i].is_needed) continue;

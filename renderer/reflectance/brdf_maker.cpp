@@ -109,6 +109,9 @@ std::string BrdfMaker::identity(const grf::BrdfModel& data, const grf::Scope& sc
   for (const grf::WeightedBrdf& summand : summands_of(data, scope)) {
     grf::BrdfModel model = *summand.model;
     if (!model.data_file.empty()) model.data_file = grf::canonical_path(data_path(model));
+    for (grf::Argument& argument : model.arguments) {
+      if (argument.map) argument.map->file = grf::canonical_path(map_path(argument));
+    }
     text += fmt::format("{} {} ", summand.weight, grf::to_text(model));
     if (!is_layered(model) || layers_ == grf::MostLayers) continue;
     ++layers_;

@@ -112,6 +112,7 @@ struct ModelTable {
   std::string_view not_continuous = {};
   grf::ModelInfo::ArgumentKind argument_kind = grf::ModelInfo::ArgumentKind::Parameters;
   std::string_view description = {};
+  bool takes_maps = true;         ///< images may vary its parameters, as long as it has no data and no parts
   std::string_view formula = {};  ///< an empty first line is skipped
   std::string_view example = {};
 };
@@ -180,22 +181,26 @@ void prepare(Model& model) {
   if constexpr (requires { model.prepare(); }) model.prepare();
 }
 
+/// Returns the argument that gives a parameter's value, its own or that of the parameter whose value is its
+/// default; null if there is none.
+template <class Model>
+const grf::Argument* argument_for(const Parameter<Model>& parameter, const ModelTable<Model>& table,
+                                  const grf::Model& data) {
+  const grf::Argument* own = grf::find_argument(data, parameter.info);
+  if (own != nullptr || parameter.info.default_from.empty()) return own;
+  for (const Parameter<Model>& other : table.parameters) {
+    if (other.info.is_called(parameter.info.default_from)) return grf::find_argument(data, other.info);
+  }
+  return nullptr;
+}
+
 /// Makes a model from data that `grf::check` found valid: omitted values take their defaults.
 template <class Model>
 Model make(const grf::Model& data) {
   Model model;
   const ModelTable<Model> table = Model::table();
-  const auto argument_of = [&](std::string_view name) -> const grf::Argument* {
-    for (const Parameter<Model>& parameter : table.parameters) {
-      if (parameter.info.is_called(name)) return grf::find_argument(data, parameter.info);
-    }
-    return nullptr;
-  };
   for (const Parameter<Model>& parameter : table.parameters) {
-    const grf::Argument* argument = grf::find_argument(data, parameter.info);
-    if (argument == nullptr && !parameter.info.default_from.empty()) {
-      argument = argument_of(parameter.info.default_from);
-    }
+    const grf::Argument* argument = argument_for(parameter, table, data);
     if (argument == nullptr) continue;
     visit_field(parameter, [&](auto field) { assign(model.*field, argument->value, parameter.info); });
   }
@@ -219,6 +224,7 @@ grf::ModelInfo info_of() {
   info.not_conserving = table.not_conserving;
   info.not_continuous = table.not_continuous;
   info.argument_kind = table.argument_kind;
+  info.takes_maps = table.takes_maps && table.argument_kind == grf::ModelInfo::ArgumentKind::Parameters;
   static const Model defaults;
   for (const Parameter<Model>& parameter : table.parameters) {
     info.parameters.push_back(parameter.info);

@@ -13,9 +13,10 @@ bool is_own(const Scheme& scheme) {
   return chosen != nullptr ? !chosen->is_adaptive() : std::holds_alternative<OwnScheme>(scheme);
 }
 
+/// With a lower fraction, the missed light would come from a few samples of large weight.
+constexpr float LeastFraction = 0.1F;
+
 float cosine_fraction_for(float missed) {
-  constexpr float LeastFraction =
-      0.1F;  // with less, the missed light would come from a few samples of large weight
   constexpr float MostFraction = 0.9F;
   return std::clamp(missed, LeastFraction, MostFraction);
 }
@@ -31,9 +32,23 @@ Reflector::Reflector(const Brdf& brdf, const Scheme& scheme, MissedPart missed_p
     missed_fraction_ = missed;
     if (missed_part == MissedPart::DrawnByCosine) cosine_fraction_ = cosine_fraction_for(missed);
   }
+  mixes_cosine_ = is_incomplete(scheme_) && missed_part == MissedPart::DrawnByCosine;
+  find_facts();
+}
+
+// What the scheme misses of the other BRDF is not measured.
+Reflector Reflector::with(const Brdf& brdf) const {
+  Reflector other(*this);
+  other.brdf_ = brdf;
+  if (mixes_cosine_) other.cosine_fraction_ = std::max(cosine_fraction_, LeastFraction);
+  other.find_facts();
+  return other;
+}
+
+void Reflector::find_facts() {
   has_specular_part_ = has_specular_part(brdf_);
   has_nonspecular_part_ = reflectance::has_nonspecular_part(brdf_);
-  samples_own_ = is_own(scheme_) && !(cosine_fraction_ > 0) && precision == Precision::Float;
+  samples_own_ = is_own(scheme_) && !(cosine_fraction_ > 0) && precision_ == Precision::Float;
 }
 
 float Reflector::compute_specular_probability(const Vec3f& u) const {

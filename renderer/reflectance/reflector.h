@@ -33,6 +33,9 @@ class Reflector {
   Reflector(const Brdf& brdf, const Scheme& scheme, MissedPart missed_part = MissedPart::DrawnByCosine,
             Precision precision = Precision::Float);
 
+  /// Returns the reflector of another BRDF of the same model, by the same scheme, which must have no tables.
+  Reflector with(const Brdf& brdf) const;
+
   /// Evaluates f(u, v) in 1/sr, without the delta part.
   Rgb evaluate(const Vec3f& u, const Vec3f& v) const {
     return precision_ == Precision::Float ? reflectance::evaluate(brdf_, u, v) : evaluate_in_double(u, v);
@@ -72,6 +75,7 @@ class Reflector {
   std::size_t bytes() const { return reflectance::bytes(scheme_); }
 
  private:
+  void find_facts();
   float specular_probability(const Vec3f& u) const {
     return has_specular_part_ ? compute_specular_probability(u) : 0;
   }
@@ -89,6 +93,7 @@ class Reflector {
   Scheme scheme_;
   float cosine_fraction_ = 0;
   float missed_fraction_ = 0;
+  bool mixes_cosine_ = false;  ///< if the scheme misses part of the BRDF
   // Facts that paths ask at every hit, found once.
   bool has_specular_part_ = false;
   bool has_nonspecular_part_ = false;

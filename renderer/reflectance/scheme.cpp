@@ -36,6 +36,11 @@ std::size_t bytes(const Scheme& scheme) {
       scheme);
 }
 
+bool is_tabulated(const Scheme& scheme) {
+  return std::holds_alternative<AdaptiveScheme>(scheme) || std::holds_alternative<CascadeScheme>(scheme) ||
+         std::holds_alternative<FactoredScheme>(scheme) || std::holds_alternative<RejectScheme>(scheme);
+}
+
 bool is_incomplete(const Scheme& scheme) {
   return std::visit(
       [](const auto& chosen) {
@@ -68,7 +73,11 @@ void sample_many(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::sp
       scheme);
 }
 
-std::vector<grf::ModelInfo> scheme_infos() { return infos_of<AnyScheme>(); }
+std::vector<grf::ModelInfo> scheme_infos() {
+  std::vector<grf::ModelInfo> infos = infos_of<AnyScheme>();
+  for (grf::ModelInfo& info : infos) info.takes_maps = false;
+  return infos;
+}
 
 grf::Catalogue catalogue() { return {brdf_infos(), scheme_infos()}; }
 

@@ -64,6 +64,9 @@ void build(Scheme& scheme, const Brdf& brdf);
 /// Returns the memory of a scheme's tables, in bytes; 0 if it has none.
 std::size_t bytes(const Scheme& scheme);
 
+/// Returns true if the scheme keeps tables that serve one BRDF only.
+bool is_tabulated(const Scheme& scheme);
+
 /// Returns true if the scheme's pdf may be 0 where some BRDFs reflect light.
 bool is_incomplete(const Scheme& scheme);
 

@@ -23,6 +23,40 @@ TEST(Check, AcceptsWhatTheCatalogueHas) {
   EXPECT_EQ(said_of(triangle("brdf flat pdf cosine n=100")), "");
 }
 
+TEST(Check, KnowsWhichParametersAnImageVaries) {
+  const test::TemporaryFolder folder;
+  const std::string image = "texture \"" + folder.add("a.png", "") + "\" ";
+  const auto said_of_map = [](const std::string& brdf) {
+    return said_of("begin mesh brdf " + brdf +
+                   " begin vertexs uv (0, 0) (0, 0, 0) uv (1, 0) (1, 0, 0) uv (0, 1) (0, 1, 0) end vertexs "
+                   "begin faces (0, 1, 2) end faces end mesh");
+  };
+  EXPECT_EQ(said_of_map("glossy rough=" + image + "r * 2 kd=" + image + "rgb * (0, 0.5, 1)"), "");
+  EXPECT_EQ(said_of_map("glossy kd=" + image + "A"), "");
+  EXPECT_EQ(said_of_map("glossy rough=" + image + "rgb"),
+            "'Rough' of 'glossy': one number, expected the channel r, g, b or a of the image\n");
+  EXPECT_EQ(said_of_map("glossy fast=" + image + "r"),
+            "'fast' of 'glossy': an image varies only numbers that need not be whole, and colours\n");
+  EXPECT_EQ(said_of_map("glossy kd=texture \"\" r"), "'kd' of 'glossy': expected the name of an image\n");
+  EXPECT_EQ(said_of_map("glossy kd=" + image + "r * 1.5"),
+            "'kd' of 'glossy': 1.5 is out of range, expected a number from 0 to 1\n");
+  EXPECT_EQ(said_of_map("glossy pdf cosine n=" + image + "r"),
+            "'n' of 'cosine': no image can vary it over faces\n");
+  EXPECT_EQ(said_of_map("glossy kd=texture \"none.png\" r"), "warning: there is no image 'none.png'\n");
+  EXPECT_EQ(said_of(triangle("brdf glossy kd=" + image + "r")),
+            "warning: face 0 has a texture and corners without uv: it is (0, 0) there\n");
+  EXPECT_EQ(said_of("def a = brdf glossy kd=" + image + "r begin " + triangle("brdf a") + "end"),
+            "warning: face 0 has a texture and corners without uv: it is (0, 0) there\n");
+}
+
+TEST(Check, RefusesImagesInPartsOfABrdf) {
+  const test::TemporaryFolder folder;
+  const std::string image = folder.add("a.png", "");
+  EXPECT_EQ(said_of("def a = brdf glossy kd=texture \"" + image + "\" r b = brdf combine 1 a begin " +
+                    triangle("brdf b") + "end"),
+            "images vary parameters of 'a', which 'combine' cannot have as a part\n");
+}
+
 TEST(Check, ReportsUnknownModels) {
   EXPECT_EQ(said_of_brdf("glosy"), "unknown BRDF 'glosy': did you mean 'glossy'?\n");
   EXPECT_EQ(said_of_brdf("kajiya"), "unknown BRDF 'kajiya'\n");

@@ -38,6 +38,41 @@ TEST(Definitions, AreToldFromParametersByWhatFollows) {
   EXPECT_EQ(definitions[1].body, decltype(definitions[1].body)(Colour(0, 0, 0)));
 }
 
+// The channel tells the image of a parameter from a texture that is defined.
+TEST(Definitions, AreToldFromImagesOfParameters) {
+  const Scene scene = scene_of(
+      "def a = brdf ward b=texture \"1.png\" g c=texture \"2.png\" RGB * (1, 2, 3) d = texture \"3.png\" "
+      "e = brdf ward f = texture \"4.png\" r = brdf ward g=texture \"5.png\" a * 0.5 begin "
+      "begin mesh brdf ward b=texture \"6.png\" rgb rgb (1, 0, 0) texture \"7.png\" begin vertexs end "
+      "begin faces end end end");
+  const auto& scope = block<DefinitionScope>(scene.contents);
+  std::vector<std::string> names;
+  for (const Definition& definition : scope.definitions) names.push_back(definition.name);
+  ASSERT_THAT(names, ElementsAre("a", "d", "e", "f", "r"));
+  const auto& a = std::get<BrdfModel>(scope.definitions[0].body).arguments;
+  ASSERT_EQ(a.size(), 2U);
+  EXPECT_EQ(a[0].map, (ParameterMap{"1.png", ImageChannel::Green}));
+  EXPECT_EQ(a[0].value, Value(1.0F));
+  EXPECT_EQ(a[1].map, (ParameterMap{"2.png", ImageChannel::Rgb}));
+  EXPECT_EQ(a[1].value, Value(Colour(1, 2, 3)));
+  EXPECT_EQ(std::get<Texture>(scope.definitions[3].body).file, "4.png");
+  const auto& r = std::get<BrdfModel>(scope.definitions[4].body).arguments;
+  ASSERT_EQ(r.size(), 1U);
+  EXPECT_EQ(r[0].map, (ParameterMap{"5.png", ImageChannel::Alpha}));
+  EXPECT_EQ(r[0].value, Value(0.5F));
+  const Surface& surface = block<Shared<Mesh>>(scope.body)->surfaces.at(0);
+  EXPECT_EQ(std::get<BrdfModel>(*surface.brdf).arguments[0].map, (ParameterMap{"6.png", ImageChannel::Rgb}));
+  EXPECT_EQ(std::get<Colour>(*surface.colour), Colour(1, 0, 0));
+  EXPECT_EQ(std::get<Texture>(*surface.texture).file, "7.png");
+}
+
+TEST(Definitions, SayWhatAnImageOfAParameterLacks) {
+  EXPECT_EQ(error_in(triangle("brdf ward a=texture \"b.png\"")),
+            "found 'begin', expected the channel of the image for 'a': r, g, b, a or rgb");
+  EXPECT_EQ(error_in(triangle("brdf ward a=texture \"b.png\" r * c")),
+            "found 'c', expected a number or three numbers in parentheses, a factor of 'a'");
+}
+
 TEST(Definitions, NameBothReadingsOfWhatIsNoValue) {
   EXPECT_EQ(error_in("def a = brdf ward b = none begin end"),
             "found 'none', expected a value for the parameter 'b' of 'ward', or 'rgb', 'brdf', 'pdf', "

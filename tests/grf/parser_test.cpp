@@ -184,7 +184,8 @@ TEST(ReadPdf, TakesNothingElse) {
   for (const char* word : {"begin", "none", "def", "rgb", "Colour", "brdf", "pdf", "texture"}) {
     EXPECT_EQ(error(std::string("adaptive mode=") + word),
               std::string("found '") + word +
-                  "', expected a number, 'true', 'false', a word or three numbers in parentheses for 'mode'");
+                  "', expected a number, 'true', 'false', a word, three numbers in parentheses or 'texture' "
+                  "for 'mode'");
   }
 }
 

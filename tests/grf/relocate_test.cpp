@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "grf/summary.h"
 #include "grf/text_file.h"
 #include "grf/visit.h"
 #include "grf/write.h"
@@ -54,6 +55,21 @@ TEST_F(RelocateTest, NamesFilesFromTheNewPlace) {
         "texture \"../../home/a/b.png\"", "    brdf \"../../home/gold.brdf\"", "texture \"../../c.png\""}) {
     EXPECT_THAT(written, HasSubstr(name));
   }
+}
+
+TEST_F(RelocateTest, NamesImagesOfParametersFromTheNewPlace) {
+  folder.add("home/brdfs/rough.brdf", "ward sx=texture \"c.png\" g");
+  const std::string text = "def a = brdf ward sx=texture \"a.png\" r begin " +
+                           triangle("brdf ward sx=texture \"../b.png\" a * 0.5") +
+                           triangle("brdf \"brdfs/rough.brdf\"") + "end";
+  const std::string written = moved(text, "other/scene.grf");
+  for (const char* name : {"sx=texture \"../home/a.png\" r", "sx=texture \"../b.png\" a * 0.5",
+                           "brdf \"../home/brdfs/rough.brdf\""}) {
+    EXPECT_THAT(written, HasSubstr(name));
+  }
+  const Scene absolute = with_absolute_names(read_scene("home/scene.grf"), folder.path("home/scene.grf"));
+  EXPECT_THAT(to_text(absolute), HasSubstr("sx=texture \"" + folder.path("home/brdfs/c.png") + "\" g"));
+  EXPECT_EQ(summarize(absolute).textures, 3U);
 }
 
 TEST_F(RelocateTest, NamesFilesByAbsolutePaths) {

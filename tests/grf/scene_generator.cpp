@@ -286,8 +286,7 @@ ModelOfKind SceneGenerator::model() {
     if (with_includes_ && number_up_to(3) == 0) model.instance_file = std::to_string(++file_count_) + ".brdf";
   }
   const int count = number_up_to(2);
-  for (int i = 0; i < count; ++i)
-    model.arguments.push_back({one_of({"sx", "Cx", "begin", "_", "$1"}), value(), {}});
+  for (int i = 0; i < count; ++i) model.arguments.push_back(argument());
   return model;
 }
 
@@ -308,6 +307,17 @@ BrdfModel SceneGenerator::layered(const std::vector<std::string>& names) {
   }
   if (coin()) brdf.arguments.push_back({"ior", value(), {}});
   return brdf;
+}
+
+Argument SceneGenerator::argument() {
+  Argument argument{one_of({"sx", "Cx", "begin", "_", "$1", "r"}), value(), {}};
+  const bool is_factor =
+      std::holds_alternative<float>(argument.value) || std::holds_alternative<Colour>(argument.value);
+  if (is_factor && number_up_to(3) == 0) {
+    argument.map = ParameterMap{quotable(), static_cast<ImageChannel>(number_up_to(4))};
+    if (coin()) argument.value = 1.0F;
+  }
+  return argument;
 }
 
 Texture SceneGenerator::texture() { return {quotable(), {}}; }

@@ -46,6 +46,7 @@ class SceneGenerator {
   BrdfModel layered(const std::vector<std::string>& names);
   template <class Body>
   std::vector<std::string> names_of() const;
+  Argument argument();
   Texture texture();
   Value value();
   Comments comments();

@@ -27,6 +27,7 @@ inline const Catalogue& catalogue() {
     glossy.parameters = {
         parameter("Rough", ParameterKind::Number, std::numeric_limits<float>::max(), {"m", "sigma"}),
         parameter("kd", ParameterKind::Reflectance, 1), parameter("fast", ParameterKind::Boolean, 1)};
+    glossy.takes_maps = true;
     ModelInfo flat;
     flat.keyword = "flat";
     ModelInfo cosine;

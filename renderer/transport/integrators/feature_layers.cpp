@@ -54,7 +54,8 @@ class FeatureRays {
     ++features.hits;
     features.normal += normal;
     features.depth += (point->position - eye_).dot(forward_);
-    const reflectance::Reflector* reflector = scene_.reflector(*point->surface);
+    std::optional<reflectance::Reflector> varied;
+    const reflectance::Reflector* reflector = scene_.reflector_at(*point, varied);
     if (reflector == nullptr) return;
     const Vec3f u = reflectance::Frame(normal, point->tangent).to_local(back);
     if (u.z > 0) features.albedo += point->colour * albedo_estimate(*reflector, u, sampler);

@@ -139,7 +139,8 @@ Rgb NaivePaths::follow(Way way, int path, bool was_scattered) {
     const auto point = next_point(way);
     if (!point) return radiance + way.radiance + way.throughput * radiance_from_outside(way.ray);
     radiance += way.throughput * emission(*point, way.ray);
-    const Reflector* reflector = scene_.reflector(*point->surface);
+    std::optional<Reflector> varied;
+    const Reflector* reflector = scene_.reflector_at(*point, varied);
     if (reflector == nullptr || bounces >= settings_.depth) return radiance + way.radiance;
     if (was_scattered && !point->surface->interreflects) return radiance + way.radiance;
     const ShadingPoint shading(*point, *reflector, -way.ray.direction);
@@ -193,7 +194,8 @@ Rgb NaivePaths::run(const Ray& ray, const std::optional<Rgb>& backplate) {
     return way.radiance + way.throughput * outside;
   }
   const Rgb own = way.radiance + way.throughput * emission(*point, way.ray);
-  const Reflector* reflector = scene_.reflector(*point->surface);
+  std::optional<Reflector> varied;
+  const Reflector* reflector = scene_.reflector_at(*point, varied);
   if (reflector == nullptr || settings_.depth == 0) return own;
   const ShadingPoint shading(*point, *reflector, -way.ray.direction);
   return own + way.throughput * mean_of_secondary(shading, way);

@@ -401,8 +401,9 @@ Rgb Path<Has>::run(const std::optional<Rgb>& backplate, int bounces) {
     }
     add_emission(*point);
     check_finite("colour", point->colour, &*point);
-    const Reflector* reflector = scene_.reflector(*point->surface);
-    if (reflector == nullptr || bounces >= settings_.depth) return radiance_;
+    if (point->surface->reflector == InvalidIndex || bounces >= settings_.depth) return radiance_;
+    std::optional<Reflector> varied;
+    const Reflector* reflector = scene_.reflector_at(*point, varied);
     if (was_scattered_ && !point->surface->interreflects) return radiance_;
     const ShadingPoint shading(*point, *reflector, -ray_.direction);
     if (has_irradiance(*point, *reflector)) {

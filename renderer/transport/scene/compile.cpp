@@ -274,8 +274,8 @@ std::optional<CompiledScene> Compiler::finish() {
   ReflectorSet reflectors = reflectors_.build(settings_.stop);
   if (is_to_stop()) return std::nullopt;
   const auto geometry = std::make_shared<const Geometry>(std::move(geometry_));
-  return CompiledScene(geometry, caster_of(geometry), surfaces_.take(), std::move(reflectors),
-                       std::move(textures), std::move(emitters_));
+  return CompiledScene(geometry, caster_of(geometry), surfaces_.take(), surfaces_.take_varying(),
+                       std::move(reflectors), std::move(textures), std::move(emitters_));
 }
 
 RayCaster Compiler::caster_of(std::shared_ptr<const Geometry> geometry) const {

@@ -17,6 +17,22 @@ using grf::Vec3d;
 /// between them.
 constexpr double CornerRounding = 0x1p-24 / InterpolationError;
 
+/// Returns a channel of a texel in all three components. A texture of alpha has it there.
+Rgb channel_of(const Rgb& texel, grf::ImageChannel channel) {
+  switch (channel) {
+    case grf::ImageChannel::Red:
+      return Rgb(texel.x);
+    case grf::ImageChannel::Green:
+      return Rgb(texel.y);
+    case grf::ImageChannel::Blue:
+      return Rgb(texel.z);
+    case grf::ImageChannel::Alpha:
+    case grf::ImageChannel::Rgb:
+      break;
+  }
+  return texel;
+}
+
 /// The plane of a triangle of the scene.
 struct FacePlane {
   Vec3d corner;
@@ -42,10 +58,12 @@ FacePlane plane_of(const Geometry& geometry, const TriangleId& id) {
 }  // namespace
 
 CompiledScene::CompiledScene(std::shared_ptr<const Geometry> geometry, RayCaster caster,
-                             std::vector<CompiledSurface> surfaces, ReflectorSet reflectors,
-                             std::vector<TextureFile> textures, std::vector<Emitter> emitters)
+                             std::vector<CompiledSurface> surfaces, std::vector<VaryingSurface> varying,
+                             ReflectorSet reflectors, std::vector<TextureFile> textures,
+                             std::vector<Emitter> emitters)
     : geometry_(std::move(geometry)),
       surfaces_(std::move(surfaces)),
+      varying_(std::move(varying)),
       reflectors_(std::move(reflectors)),
       textures_(std::move(textures)),
       lights_(std::move(emitters)),
@@ -132,6 +150,19 @@ Rgb CompiledScene::colour_at(const HitTriangle& hit, const CompiledSurface& surf
   return colour;
 }
 
+const reflectance::Reflector& CompiledScene::vary(const reflectance::Reflector& constant,
+                                                  const SurfacePoint& point,
+                                                  std::optional<reflectance::Reflector>& varied) const {
+  const VaryingSurface& varying = varying_[point.surface->varying];
+  std::vector<Rgb> texels;
+  texels.reserve(varying.textures.size());
+  for (std::size_t i = 0; i < varying.textures.size(); ++i) {
+    const Rgb texel = textures_[varying.textures[i]].texture->lookup(point.uv, point.uv_footprint);
+    texels.push_back(channel_of(texel, varying.brdf->maps()[i].channel));
+  }
+  return varied.emplace(constant.with(varying.brdf->at(texels)));
+}
+
 /// Returns what a pane lets pass of light along a ray.
 Rgb CompiledScene::passing_pane(const TriangleHit& hit, const Ray& ray,
                                 const CompiledSurface& surface) const {
@@ -163,6 +194,10 @@ std::optional<SurfacePoint> CompiledScene::intersect(const Ray& ray, std::uint32
   std::optional<SurfacePoint> point = hit.point();
   point->surface = &surface;
   point->colour = colour_at(hit, surface, point->cone.width);
+  if (surface.varying != InvalidIndex) {
+    point->uv = hit.uv();
+    point->uv_footprint = hit.uv_scale() * point->cone.width;
+  }
   point->irradiance = hit.irradiance();
   if (surface.is_anisotropic) point->tangent = hit.tangent(surface.axis, point->shading_normal);
   if (!reflectance::is_black(surface.emission)) {
@@ -257,7 +292,8 @@ std::size_t CompiledScene::bytes() const {
 }
 
 bool CompiledScene::is_diffuse() const {
-  return std::all_of(reflectors_.reflectors.begin(), reflectors_.reflectors.end(),
+  return varying_.empty() &&
+         std::all_of(reflectors_.reflectors.begin(), reflectors_.reflectors.end(),
                      [](const reflectance::Reflector& reflector) { return reflector.is_diffuse(); });
 }
 

@@ -30,8 +30,8 @@ class CompiledScene {
  public:
   /// `caster` must serve the geometry.
   CompiledScene(std::shared_ptr<const Geometry> geometry, RayCaster caster,
-                std::vector<CompiledSurface> surfaces, ReflectorSet reflectors,
-                std::vector<TextureFile> textures, std::vector<Emitter> emitters);
+                std::vector<CompiledSurface> surfaces, std::vector<VaryingSurface> varying,
+                ReflectorSet reflectors, std::vector<TextureFile> textures, std::vector<Emitter> emitters);
 
   /// Returns the nearest point that stops the ray. A face of opacity a does so with probability a: equal
   /// values of `chance`, a random word, give equal points, and different ones independent decisions.
@@ -73,8 +73,15 @@ class CompiledScene {
   grf::Vec3d off_faces(const grf::Vec3d& point, const grf::Vec3d& direction) const;
 
   const Lights& lights() const { return lights_; }
+  /// The reflector of a surface, null if it is black. Where images vary it, that of the factors.
   const reflectance::Reflector* reflector(const CompiledSurface& surface) const {
     return surface.reflector == InvalidIndex ? nullptr : &reflectors_.reflectors[surface.reflector];
+  }
+  /// The reflector at a point that a ray has hit, likewise. `varied` holds it where images vary it.
+  const reflectance::Reflector* reflector_at(const SurfacePoint& point,
+                                             std::optional<reflectance::Reflector>& varied) const {
+    const reflectance::Reflector* constant = reflector(*point.surface);
+    return point.surface->varying == InvalidIndex ? constant : &vary(*constant, point, varied);
   }
 
   const Geometry& geometry() const { return *geometry_; }
@@ -106,6 +113,8 @@ class CompiledScene {
   const CompiledSurface& surface_at(const TriangleHit& hit) const;
   float opacity_at(const TriangleHit& hit, const Ray& ray) const;
   Rgb colour_at(const HitTriangle& hit, const CompiledSurface& surface, float width) const;
+  const reflectance::Reflector& vary(const reflectance::Reflector& constant, const SurfacePoint& point,
+                                     std::optional<reflectance::Reflector>& varied) const;
   Rgb passing_pane(const TriangleHit& hit, const Ray& ray, const CompiledSurface& surface) const;
   float opacity_of_emitter(const LightSample& light) const;
   std::optional<RayStart> offset_start(const SurfacePoint& point, const Vec3f& geometric_side,
@@ -113,6 +122,7 @@ class CompiledScene {
 
   std::shared_ptr<const Geometry> geometry_;
   std::vector<CompiledSurface> surfaces_;
+  std::vector<VaryingSurface> varying_;
   ReflectorSet reflectors_;
   std::vector<TextureFile> textures_;
   Lights lights_;

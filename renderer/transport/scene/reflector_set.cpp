@@ -84,7 +84,8 @@ std::uint32_t ReflectorSetBuilder::add(const grf::ResolvedSurface& surface, cons
   pair.scheme_keyword = pdf != nullptr ? pdf->keyword : "auto";
   pair.info.scheme = scheme_text(pdf);
   if (pdf != nullptr) pair.scheme_location = pdf->location;
-  const std::string unsupported_reason = reflectance::unsupported_reason(*scheme, *brdf);
+  if (surface.brdf != nullptr && has_maps(*surface.brdf) && !make_varying(*surface.brdf, pair)) return 0;
+  const std::string unsupported_reason = reflectance::unsupported_reason(pair.scheme, *brdf);
   if (!unsupported_reason.empty()) {
     diagnostics_.error(pair.scheme_location,
                        fmt::format("the scheme '{}' cannot sample the BRDF '{}': {}", pair.scheme_keyword,
@@ -94,6 +95,31 @@ std::uint32_t ReflectorSetBuilder::add(const grf::ResolvedSurface& surface, cons
   if (override_ && !override_->factors_file.empty() && !use_factors_file(surface, pair)) return 0;
   pairs_.push_back(std::move(pair));
   return static_cast<std::uint32_t>(pairs_.size() - 1);
+}
+
+bool ReflectorSetBuilder::is_anisotropic(std::uint32_t index) const {
+  if (index >= pairs_.size()) return false;
+  const Pair& pair = pairs_[index];
+  return pair.varying ? pair.varying->may_be_anisotropic() : reflectance::is_anisotropic(pair.brdf);
+}
+
+bool ReflectorSetBuilder::is_diffuse(std::uint32_t index) const {
+  if (index >= pairs_.size()) return false;
+  const Pair& pair = pairs_[index];
+  if (pair.varying) return pair.varying->is_diffuse();
+  return !reflectance::has_glossy_part(pair.brdf) && !reflectance::has_specular_part(pair.brdf);
+}
+
+/// Lets images vary a BRDF. Tables for each point would cost too much: the default is the BRDF's own sampler.
+bool ReflectorSetBuilder::make_varying(const grf::BrdfModel& brdf, Pair& pair) {
+  pair.varying = std::make_shared<const reflectance::VaryingBrdf>(brdf);
+  if (std::holds_alternative<reflectance::AutoScheme>(pair.scheme)) pair.scheme = reflectance::OwnScheme();
+  if (!reflectance::is_tabulated(pair.scheme)) return true;
+  diagnostics_.error(pair.scheme_location,
+                     fmt::format("the scheme '{}' has tables for one BRDF, and images vary parameters of "
+                                 "this '{}': use own",
+                                 pair.scheme_keyword, pair.brdf_keyword));
+  return false;
 }
 
 bool ReflectorSetBuilder::reads_data(const grf::ResolvedSurface& surface) {

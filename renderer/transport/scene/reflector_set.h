@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -13,6 +14,7 @@
 #include "grf/visit.h"
 #include "renderer/reflectance/brdf_maker.h"
 #include "renderer/reflectance/reflector.h"
+#include "renderer/reflectance/varying_brdf.h"
 
 namespace transport {
 
@@ -64,19 +66,18 @@ class ReflectorSetBuilder {
 
   /// Returns the index of the reflector that will serve a surface; after an error, any index.
   std::uint32_t index_of(const grf::ResolvedSurface& surface);
-  bool is_anisotropic(std::uint32_t index) const {
-    return index < pairs_.size() && reflectance::is_anisotropic(pairs_[index].brdf);
+  /// The BRDF if images vary it, else null.
+  std::shared_ptr<const reflectance::VaryingBrdf> varying(std::uint32_t index) const {
+    return index < pairs_.size() ? pairs_[index].varying : nullptr;
   }
+  bool is_anisotropic(std::uint32_t index) const;
 
   /// The BRDF if it is glass, else null; invalid once another index was asked for.
   const reflectance::Glass* glass(std::uint32_t index) const {
     return index < pairs_.size() ? std::get_if<reflectance::Glass>(&pairs_[index].brdf) : nullptr;
   }
   /// Whether it has neither a glossy nor a specular part.
-  bool is_diffuse(std::uint32_t index) const {
-    return index < pairs_.size() && !reflectance::has_glossy_part(pairs_[index].brdf) &&
-           !reflectance::has_specular_part(pairs_[index].brdf);
-  }
+  bool is_diffuse(std::uint32_t index) const;
   /// Whether the BRDF depends on a file.
   bool reads_data(const grf::ResolvedSurface& surface);
 
@@ -94,6 +95,7 @@ class ReflectorSetBuilder {
     TableInfo info;
     std::string scheme_keyword;
     grf::SourceLocation scheme_location;
+    std::shared_ptr<const reflectance::VaryingBrdf> varying = nullptr;
   };
 
   bool is_overridden(const grf::ResolvedSurface& surface) const;
@@ -102,6 +104,7 @@ class ReflectorSetBuilder {
   }
   std::uint32_t index_by_text(const grf::ResolvedSurface& surface);
   std::uint32_t add(const grf::ResolvedSurface& surface, const std::string& text);
+  bool make_varying(const grf::BrdfModel& brdf, Pair& pair);
   std::string identity_of(const grf::ResolvedSurface& surface, const std::string& text);
   const reflectance::Reflector* known(const std::string& identity) const;
   bool use_factors_file(const grf::ResolvedSurface& surface, Pair& pair);

@@ -17,6 +17,8 @@ struct CompiledSurface {
   Rgb emission = Rgb(0);
   std::uint32_t reflector = InvalidIndex;  ///< InvalidIndex: black
   std::uint32_t texture = InvalidIndex;
+  /// Of the VaryingSurface, where images vary the BRDF of the reflector; else InvalidIndex.
+  std::uint32_t varying = InvalidIndex;
   grf::Opacity opacity;
   std::uint32_t alpha = InvalidIndex;  ///< the texture whose alpha the opacity reads
   bool is_glass = false;               ///< it lets light through by its BRDF
@@ -54,7 +56,10 @@ struct SurfacePoint {
   TriangleId id;
   RayCone cone;                        ///< of the ray that hit it
   Vec3f terminator_offset = Vec3f(0);  ///< 0 where the curved surface is not above the triangle
-  std::optional<Rgb> irradiance;       ///< W/m2, if the scene was compiled with it and all corners have it
+  // For textures, and set only where images vary the BRDF.
+  Vec2f uv = Vec2f(0);
+  float uv_footprint = 0;         ///< the width of the footprint in uv coordinates
+  std::optional<Rgb> irradiance;  ///< W/m2, if the scene was compiled with it and all corners have it
 
   /// Where rays start that leave the triangle in this direction.
   Vec3f origin_towards(const Vec3f& direction) const {

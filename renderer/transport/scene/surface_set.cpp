@@ -3,6 +3,14 @@
 #include <algorithm>
 
 namespace transport {
+namespace {
+
+TextureContent content_of(grf::ImageChannel channel) {
+  if (channel == grf::ImageChannel::Rgb) return TextureContent::WithAlpha;
+  return channel == grf::ImageChannel::Alpha ? TextureContent::AlphaAsData : TextureContent::Data;
+}
+
+}  // namespace
 
 CompiledSurface SurfaceSetBuilder::compiled(const grf::Surface& surface, const grf::Scope& scope,
                                             const Vec3f& axis, bool reflects) {
@@ -13,7 +21,7 @@ CompiledSurface SurfaceSetBuilder::compiled(const grf::Surface& surface, const g
   if (effects_.has(Effect::Opacity)) {
     result.opacity = resolved.opacity;
     if (result.opacity.reads_alpha()) {
-      result.alpha = textures_.index_of(*resolved.texture, image::Alpha::Kept);
+      result.alpha = textures_.index_of(*resolved.texture, TextureContent::WithAlpha);
     }
   }
   // An emitter without a BRDF reflects nothing; any other face without one is diffuse.
@@ -32,14 +40,28 @@ CompiledSurface SurfaceSetBuilder::compiled(const grf::Surface& surface, const g
   if (has_texture) {
     result.texture = result.alpha != InvalidIndex
                          ? result.alpha
-                         : textures_.index_of(*resolved.texture, image::Alpha::OverBlack);
+                         : textures_.index_of(*resolved.texture, TextureContent::OverBlack);
   }
+  if (effects_.has(Effect::Textures)) result.varying = varying_of(result.reflector);
   result.is_anisotropic = effects_.has(Effect::Anisotropy) && reflectors_.is_anisotropic(result.reflector);
   result.interreflects =
       effects_.has(reflectors_.is_diffuse(result.reflector) ? Effect::DiffuseInterreflection
                                                             : Effect::GlossyInterreflection);
   if (result.is_anisotropic) result.axis = axis;
   return result;
+}
+
+std::uint32_t SurfaceSetBuilder::varying_of(std::uint32_t reflector) {
+  auto brdf = reflectors_.varying(reflector);
+  if (brdf == nullptr) return InvalidIndex;
+  const auto [known, is_new] =
+      varying_of_reflector_.try_emplace(reflector, static_cast<std::uint32_t>(varying_.size()));
+  if (!is_new) return known->second;
+  VaryingSurface& varying = varying_.emplace_back(VaryingSurface{std::move(brdf), {}});
+  for (const reflectance::VaryingBrdf::Map& map : varying.brdf->maps()) {
+    varying.textures.push_back(textures_.index_of(map.path, map.location, content_of(map.channel)));
+  }
+  return known->second;
 }
 
 bool SurfaceSetBuilder::reflects(const grf::Mesh& mesh, std::size_t surface) const {
@@ -88,7 +110,8 @@ std::uint32_t SurfaceSetBuilder::index_of(const grf::Mesh& mesh,
 bool SurfaceSetBuilder::needs_uvs(const grf::Mesh& mesh, std::uint32_t first) const {
   const auto surfaces = of(mesh, first);
   return std::any_of(surfaces.begin(), surfaces.end(), [](const CompiledSurface& surface) {
-    return surface.texture != InvalidIndex || surface.alpha != InvalidIndex || surface.is_anisotropic;
+    return surface.texture != InvalidIndex || surface.alpha != InvalidIndex ||
+           surface.varying != InvalidIndex || surface.is_anisotropic;
   });
 }
 

@@ -18,11 +18,24 @@ using image::SrgbTable;
 using image::to_srgb_byte;
 using reflectance::Rgb;
 
-bool is_of_bytes(const Image& image) {
-  const SrgbTable& linear = srgb_table();
+const SrgbTable& linear_table() {
+  static const SrgbTable table = [] {
+    SrgbTable values;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i) / 255;
+    return values;
+  }();
+  return table;
+}
+
+std::uint8_t to_linear_byte(float value) {
+  return static_cast<std::uint8_t>(std::lround(255 * std::min(value, 1.0F)));
+}
+
+template <class ToByte>
+bool is_of_bytes(const Image& image, const SrgbTable& value_of_byte, const ToByte& to_byte) {
   return std::all_of(image.pixels.begin(), image.pixels.end(), [&](const Rgb& pixel) {
     for (int k = 0; k < 3; ++k) {
-      if (linear[to_srgb_byte(pixel[k])] != pixel[k]) return false;
+      if (value_of_byte[to_byte(pixel[k])] != pixel[k]) return false;
     }
     return true;
   });
@@ -137,10 +150,12 @@ Image halved(const Image& image) {
   return result;
 }
 
-Texture::Texture(Image image) {
+Texture::Texture(Image image, TexelEncoding encoding)
+    : value_of_byte_(encoding == TexelEncoding::Srgb ? &srgb_table() : &linear_table()) {
   repair(image);
-  if (is_of_bytes(image)) {
-    store(std::move(image), std::vector<std::uint8_t>(), to_srgb_byte);
+  const auto to_byte = encoding == TexelEncoding::Srgb ? to_srgb_byte : to_linear_byte;
+  if (is_of_bytes(image, *value_of_byte_, to_byte)) {
+    store(std::move(image), std::vector<std::uint8_t>(), to_byte);
   } else {
     store(std::move(image), std::vector<half>(), to_half);
   }
@@ -178,9 +193,9 @@ void Texture::store(Image image, std::vector<Channel> channels, const Encode& en
 
 Rgb Texture::texel(std::size_t index) const {
   if (const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&channels_)) {
-    const SrgbTable& linear = srgb_table();
+    const SrgbTable& value = *value_of_byte_;
     const std::uint8_t* texel = &(*bytes)[3 * index];
-    return {linear[texel[0]], linear[texel[1]], linear[texel[2]]};
+    return {value[texel[0]], value[texel[1]], value[texel[2]]};
   }
   const half* texel = &(*std::get_if<std::vector<half>>(&channels_))[3 * index];
   return {texel[0], texel[1], texel[2]};

@@ -9,21 +9,25 @@
 #include <half.h>
 
 #include "renderer/image/image.h"
+#include "renderer/image/srgb.h"
 #include "renderer/reflectance/geometry.h"
 
 namespace transport {
+
+/// How a byte of a texel is a value: by sRGB, or as a fraction of 255.
+enum class TexelEncoding { Srgb, Linear };
 
 /// An image texture, with or without alpha, that repeats over the plane, with mip levels (Williams 1983,
 /// "Pyramidal parametrics"). (0,0) is the lower left corner of the image and (1,1) the upper right one, as in
 /// `grf::Mesh`.
 ///
 /// Texels are stored as compactly as is possible without loss: a byte per channel if all values are those of
-/// sRGB-encoded bytes, else halves, which keep 3 digits of values up to 65504.
+/// bytes in the encoding, else halves, which keep 3 digits of values up to 65504.
 class Texture {
  public:
   /// Channels that are negative or not finite count as 0, as in environment maps; an alpha over 1 counts
   /// as 1.
-  explicit Texture(image::Image image);
+  explicit Texture(image::Image image, TexelEncoding encoding = TexelEncoding::Srgb);
 
   /// The filtered colour at a point for a footprint of this width in uv coordinates: 0 for bilinear
   /// interpolation of the image itself, else trilinear. Texels count by their alpha.
@@ -59,6 +63,7 @@ class Texture {
   reflectance::Rgb texel(std::size_t index) const;
   float texels_across(float footprint) const;
 
+  const image::SrgbTable* value_of_byte_;
   std::vector<Level> levels_;
   std::variant<std::vector<std::uint8_t>, std::vector<half>> channels_;  ///< three per texel
   std::vector<float> alpha_;  ///< per texel of all levels; empty: 1

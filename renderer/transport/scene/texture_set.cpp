@@ -1,5 +1,6 @@
 #include "renderer/transport/scene/texture_set.h"
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "grf/text_file.h"
 #include "grf/wording.h"
+#include "renderer/image/srgb.h"
 #include "renderer/parallel/loops.h"
 
 namespace transport {
@@ -23,31 +25,65 @@ struct Read {
 class FilesBefore {
  public:
   explicit FilesBefore(std::span<const TextureFile> files) {
-    for (const TextureFile& file : files) by_path_.try_emplace({file.path, file.alpha}, &file);
+    for (const TextureFile& file : files) by_path_.try_emplace({file.path, file.content}, &file);
   }
 
   /// Returns the texture of a file that has not changed since it was read, or null.
   std::shared_ptr<const Texture> texture_of(const TextureFile& file) const {
-    const auto known = by_path_.find({file.path, file.alpha});
+    const auto known = by_path_.find({file.path, file.content});
     return known != by_path_.end() && known->second->is_same_as(file) ? known->second->texture : nullptr;
   }
 
  private:
-  std::map<std::pair<std::string_view, image::Alpha>, const TextureFile*> by_path_;
+  std::map<std::pair<std::string_view, TextureContent>, const TextureFile*> by_path_;
 };
 
-void read(const std::string& path, image::Alpha alpha, const grf::SourceLocation& asked_for_at,
+/// Makes an image of what a file stores: integers of 8 bits are read as encoded in sRGB.
+image::Image as_stored(image::Image image) {
+  const image::SrgbTable& linear = image::srgb_table();
+  image::Image stored = image;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const float alpha = image.alpha.empty() ? 1 : image.alpha[i];
+    if (alpha > 0) image.pixels[i] /= alpha;
+    for (int k = 0; k < 3; ++k) {
+      constexpr float Rounding = 1e-6F;
+      const float value = image.pixels[i][k];
+      const std::uint8_t byte = image::to_srgb_byte(value);
+      // Some value is not that of a byte: the file has other numbers, which are read as they are.
+      if (!(std::abs(linear[byte] - value) <= Rounding * value)) return image;
+      stored.pixels[i][k] = static_cast<float>(byte) / 255;
+    }
+  }
+  return stored;
+}
+
+image::Image contents(image::Image image, TextureContent content) {
+  if (content == TextureContent::AlphaAsData) {
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+      image.pixels[i] = reflectance::Rgb(image.alpha.empty() ? 1 : image.alpha[i]);
+    }
+  } else if (content == TextureContent::Data) {
+    image = as_stored(std::move(image));
+  }
+  if (content != TextureContent::WithAlpha) image.alpha.clear();
+  return image;
+}
+
+void read(const std::string& path, TextureContent content, const grf::SourceLocation& asked_for_at,
           const image::ImageReader& read_image, const FilesBefore& before, Read& result) {
   TextureFile& file = result.file;
   file.path = grf::canonical_path(path);
-  file.alpha = alpha;
+  file.content = content;
   std::error_code missing;  // which reading reports
   file.changed = std::filesystem::last_write_time(file.path, missing);
   if (!missing) file.texture = before.texture_of(file);
   if (!file.texture) {
+    const auto alpha = content == TextureContent::OverBlack ? image::Alpha::OverBlack : image::Alpha::Kept;
     auto image = read_image(path, result.diagnostics, asked_for_at, alpha);
     if (!image) image = image::Image{1, 1, {reflectance::Rgb(1)}, {}};
-    file.texture = std::make_shared<const Texture>(std::move(*image));
+    const bool is_data = content == TextureContent::Data || content == TextureContent::AlphaAsData;
+    file.texture = std::make_shared<const Texture>(contents(*std::move(image), content),
+                                                   is_data ? TexelEncoding::Linear : TexelEncoding::Srgb);
   }
   const std::size_t wrong = file.texture->invalid_texels();
   if (wrong == 0) return;
@@ -59,20 +95,25 @@ void read(const std::string& path, image::Alpha alpha, const grf::SourceLocation
 
 }  // namespace
 
-std::uint32_t TextureSetBuilder::index_of(const grf::Texture& texture, image::Alpha alpha) {
-  const auto& file = texture.location.file;
-  const std::string path = file ? grf::path_beside(file->path, texture.file) : texture.file;
-  const auto [known, is_new] = index_by_path_.try_emplace({grf::canonical_path(path), alpha},
+std::uint32_t TextureSetBuilder::index_of(const std::string& path, const grf::SourceLocation& location,
+                                          TextureContent content) {
+  const auto [known, is_new] = index_by_path_.try_emplace({grf::canonical_path(path), content},
                                                           static_cast<std::uint32_t>(files_.size()));
-  if (is_new) files_.push_back({path, alpha, texture.location});
+  if (is_new) files_.push_back({path, content, location});
   return known->second;
+}
+
+std::uint32_t TextureSetBuilder::index_of(const grf::Texture& texture, TextureContent content) {
+  const auto& file = texture.location.file;
+  return index_of(file ? grf::path_beside(file->path, texture.file) : texture.file, texture.location,
+                  content);
 }
 
 std::vector<TextureFile> TextureSetBuilder::build(std::span<const TextureFile> before) {
   std::vector<Read> results(files_.size());
   const FilesBefore known(before);
   parallel::for_each_index(files_.size(), [&](std::size_t i) {
-    read(files_[i].path, files_[i].alpha, files_[i].asked_for_at, read_image_, known, results[i]);
+    read(files_[i].path, files_[i].content, files_[i].asked_for_at, read_image_, known, results[i]);
   });
   std::vector<TextureFile> textures;
   for (Read& result : results) {
