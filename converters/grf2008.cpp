@@ -341,6 +341,11 @@ class Downgrade {
 
   void downgrade(grf::Model& model) {
     for (const grf::Argument& argument : model.arguments) {
+      if (argument.map) {
+        diagnostics_.error(
+            argument.location,
+            fmt::format("an image varies '{}', which the grammar of 2008 lacks", argument.name));
+      }
       if (std::holds_alternative<grf::Word>(argument.value)) {
         diagnostics_.error(
             argument.location,

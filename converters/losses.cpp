@@ -23,7 +23,11 @@ LossText text_of(Loss loss) {
       return {"face lost its bump map", "faces lost their bump map", "GRF has none"};
     case Loss::OtherMap:
       return {"face lost its map of a parameter other than the diffuse colour",
-              "faces lost their map of a parameter other than the diffuse colour", "GRF has none"};
+              "faces lost their map of a parameter other than the diffuse colour",
+              "GRF has no such parameter, or not by a factor and the same texture coordinates"};
+    case Loss::ParameterMap:
+      return {"face lost the images that vary its BRDF", "faces lost the images that vary their BRDF",
+              "the format has a number for the face, which is that without the image"};
     case Loss::TextureCoordinates:
       return {"face lost its texture coordinates", "faces lost their texture coordinates",
               "the format has none"};

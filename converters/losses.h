@@ -48,6 +48,7 @@ enum class Loss {
   Subdivision,
   // Features that only GRF has, for writers.
   Brdf,
+  ParameterMap,
   SamplingScheme,
   Irradiance,
   AreaLight,

@@ -58,6 +58,8 @@ bool has(Loss loss, const WorldSurface& surface) {
   switch (loss) {
     case Loss::Brdf:
       return surface.brdf != nullptr;
+    case Loss::ParameterMap:
+      return surface.brdf != nullptr && has_maps(*surface.brdf);
     case Loss::SamplingScheme:
       return surface.pdf != nullptr;
     case Loss::Texture:

@@ -35,7 +35,7 @@ Format common() {
       "texture coordinates, vertex colours, textures, names, transforms, instances, materials with clear "
       "coats, sheen and anisotropy, glass, emission, opacity, perspective cameras (those of OP files)";
   format.loses =
-      "maps other than of the base colour, rough transmission, points, lines, other cameras, lenses, cones "
+      "normal, occlusion and emission maps, rough transmission, points, lines, other cameras, lenses, cones "
       "of spot lights, animations; for other programs: BRDFs that are not metallic-roughness, sampling "
       "schemes, irradiance";
   format.read_materials = gltf_material_rules();

@@ -61,6 +61,16 @@ constexpr std::array<Parameter, 15> Parameters = {{
      .alias = "iridescenceThicknessMaximum"},
 }};
 
+/// Returns whether a parameter, and with it its image, makes a difference.
+bool has_effect(std::string_view parameter, const GltfBrdf& values) {
+  const auto row = std::ranges::find(Parameters, parameter, &Parameter::name);
+  if (row->of(values) == Vec3d(0)) return false;
+  if (parameter == "coatRoughness") return values.clearcoat > 0;
+  if (parameter == "sheenRoughness") return values.sheen_colour != Vec3d(0);
+  if (parameter == "iridescenceIor" || parameter == "filmThickness") return values.iridescence > 0;
+  return parameter != "rotation" || values.anisotropy != 0;
+}
+
 double largest(const Vec3d& v) { return std::max({v.x, v.y, v.z}); }
 Vec3d absolute(const Vec3d& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
@@ -68,7 +78,9 @@ GltfBrdf values_of(const grf::BrdfModel& brdf) {
   GltfBrdf values;
   for (const Parameter& parameter : Parameters) {
     const double otherwise = parameter.of(values).x;
-    parameter.set(values, BrdfArguments(brdf).colour({parameter.name, parameter.alias}, otherwise));
+    const BrdfArguments arguments(brdf);
+    parameter.set(values, arguments.colour({parameter.name, parameter.alias}, otherwise));
+    if (const auto map = arguments.map({parameter.name, parameter.alias})) values.maps[parameter.name] = *map;
   }
   normalise(values);
   return values;
@@ -126,6 +138,7 @@ bool normalise(GltfBrdf& values) {
     was_outside = was_outside || inside != value;
     parameter.set(values, inside);
   }
+  std::erase_if(values.maps, [&](const auto& map) { return !has_effect(map.first, values); });
   if (values.anisotropy == 0) values.rotation = defaults.rotation;
   if (values.clearcoat == 0) values.coat_roughness = defaults.coat_roughness;
   if (values.sheen_colour == Vec3d(0)) values.sheen_roughness = defaults.sheen_roughness;
@@ -178,15 +191,21 @@ grf::BrdfModel to_brdf(const GltfBrdf& values) {
   std::vector<std::pair<std::string, grf::Value>> arguments;
   for (const Parameter& parameter : Parameters) {
     const grf::Value value = to_value(parameter.of(values));
-    if (value != to_value(parameter.of(GltfBrdf()))) arguments.emplace_back(parameter.name, value);
+    const bool is_default = value == to_value(parameter.of(GltfBrdf()));
+    if (!is_default || values.maps.contains(parameter.name)) arguments.emplace_back(parameter.name, value);
   }
-  return make_brdf("gltf", arguments);
+  grf::BrdfModel brdf = make_brdf("gltf", arguments);
+  for (grf::Argument& argument : brdf.arguments) {
+    const auto map = values.maps.find(argument.name);
+    if (map != values.maps.end()) argument.map = map->second;
+  }
+  return brdf;
 }
 
 bool is_nearly_equal(const GltfBrdf& a, const GltfBrdf& b) {
   constexpr double Rounding = 3e-6;
   const auto is_near = [](double x, double y) { return x == y || std::abs(x - y) <= Rounding * std::abs(x); };
-  if (a.is_glass() != b.is_glass() || (a.thickness > 0) != (b.thickness > 0) ||
+  if (a.maps != b.maps || a.is_glass() != b.is_glass() || (a.thickness > 0) != (b.thickness > 0) ||
       !is_near(a.attenuation_distance, b.attenuation_distance) ||
       largest(absolute(a.attenuation_colour - b.attenuation_colour)) > Rounding)
     return false;

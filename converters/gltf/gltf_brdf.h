@@ -2,6 +2,8 @@
 #pragma once
 
 #include <limits>
+#include <map>
+#include <string_view>
 
 #include "converters/brdf_lobes.h"
 #include "grf/math.h"
@@ -32,12 +34,14 @@ struct GltfBrdf {
   double thickness = 0;  ///< over 0: it bounds a solid
   grf::Vec3d attenuation_colour = grf::Vec3d(1);
   double attenuation_distance = std::numeric_limits<double>::infinity();
+  /// Images that multiply parameters, by the parameter's name.
+  std::map<std::string_view, grf::ParameterMap> maps = {};
 
   bool is_glass() const { return transmission > 0.5; }
 };
 
 /// Clamps values to the ranges of the BRDF, and resets those that have no effect, such as the roughness of a
-/// coat that is not there, to their defaults. Returns whether a value was out of range.
+/// coat that is not there, to their defaults, without their images. Returns whether a value was out of range.
 bool normalise(GltfBrdf& values);
 
 /// Returns the values of glTF's material for a BRDF: exact for `gltf` and `glass`, and else the nearest ones.

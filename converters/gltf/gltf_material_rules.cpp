@@ -6,7 +6,7 @@ namespace convert {
 namespace {
 
 /// The table of conversions by `GltfMaterials`.
-constexpr std::array<MaterialRule, 26> GltfRules = {{
+constexpr std::array<MaterialRule, 29> GltfRules = {{
     {"metallic-roughness", "`gltf` with its values, without those that are defaults of the BRDF",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0.5, "
      "\"roughnessFactor\": 0.25}",
@@ -82,6 +82,19 @@ constexpr std::array<MaterialRule, 26> GltfRules = {{
      "1, "
      "0.5], \"baseColorTexture\": {\"index\": 0}}",
      "gltf metallic=1 roughness=1 texture \"wood.png\" opacity mask 0.5", ""},
+    {"`metallicRoughnessTexture`", "the images of `metallic`, its blue, and of `roughness`, its green",
+     "\"pbrMetallicRoughness\": {\"roughnessFactor\": 0.5, \"metallicRoughnessTexture\": {\"index\": 0}}",
+     "gltf metallic=texture \"wood.png\" b roughness=texture \"wood.png\" g * 0.5", ""},
+    {"textures of specular, clearcoat, sheen and iridescence", "images of their parameters",
+     "\"extensions\": {\"KHR_materials_clearcoat\": {\"clearcoatFactor\": 0.5, \"clearcoatTexture\": "
+     "{\"index\": 0}}}",
+     "gltf metallic=1 roughness=1 clearcoat=texture \"wood.png\" r * 0.5", ""},
+    {"the same with another `texCoord` or transform than the first one, `anisotropyTexture`, a thickness of "
+     "films from a minimum above 0",
+     "lost",
+     "\"extensions\": {\"KHR_materials_anisotropy\": {\"anisotropyStrength\": 0.5, \"anisotropyTexture\": "
+     "{\"index\": 0}}}",
+     "gltf metallic=1 roughness=1 anisotropy=0.5", "map of a parameter"},
     {"other maps, also of extensions", "lost", "\"normalTexture\": {\"index\": 0}",
      "gltf metallic=1 roughness=1", "normal map"},
     {"`KHR_materials_transmission`, `transmissionFactor` > 0.5",

@@ -11,6 +11,7 @@
 
 #include "converters/gltf/gltf_brdf.h"
 #include "converters/gltf/gltf_images.h"
+#include "converters/gltf/gltf_maps.h"
 #include "converters/text_encoding.h"
 #include "converters/wording.h"
 #include "grf/keywords.h"
@@ -54,7 +55,8 @@ void add_extensions(json& material, json& root, const GltfBrdf& values) {
   if (values.specular_colour != grf::Vec3d(1)) {
     specular["specularColorFactor"] = factors(values.specular_colour);
   }
-  if (!specular.empty()) extend(material, root, "KHR_materials_specular", specular);
+  const bool varies = values.maps.contains("specular") || values.maps.contains("specularColor");
+  if (!specular.empty() || varies) extend(material, root, "KHR_materials_specular", specular);
   if (values.anisotropy > 0) {
     // Rounding pi up would turn the direction round.
     const double rotation = std::clamp(rounded_factor(values.rotation), -std::numbers::pi, std::numbers::pi);
@@ -76,6 +78,8 @@ void add_extensions(json& material, json& root, const GltfBrdf& values) {
            {{"iridescenceFactor", rounded_factor(values.iridescence)},
             {"iridescenceIor", rounded_factor(values.iridescence_ior)},
             {"iridescenceThicknessMaximum", rounded_factor(values.film_thickness)}});
+    if (values.maps.contains("filmThickness"))
+      material["extensions"]["KHR_materials_iridescence"]["iridescenceThicknessMinimum"] = 0;
   }
   if (!values.is_glass()) return;
   extend(material, root, "KHR_materials_transmission", {{"transmissionFactor", 1}});
@@ -111,7 +115,7 @@ GltfBrdf values_of(const grf::ResolvedSurface& surface) {
 }
 
 /// The table of conversions by `GltfMaterialWriter::material`.
-constexpr std::array<MaterialRule, 12> GltfWriterRules = {{
+constexpr std::array<MaterialRule, 13> GltfWriterRules = {{
     {"`gltf`", "exactly its values", "brdf gltf baseColor=(1, 0.5, 0.25) metallic=0.5 roughness=0.25",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0.5, "
      "\"roughnessFactor\": 0.25}",
@@ -129,6 +133,11 @@ constexpr std::array<MaterialRule, 12> GltfWriterRules = {{
      "\"sheenRoughnessFactor\": 0.75}, \"KHR_materials_iridescence\": {\"iridescenceFactor\": 0.5, "
      "\"iridescenceIor\": 1.5, \"iridescenceThicknessMaximum\": 250}}",
      ""},
+    {"images of its parameters",
+     "the textures of `metallicFactor` and so on, if they have the channel of glTF, and those of `metallic` "
+     "and `roughness` are one file",
+     "brdf gltf metallic=texture \"wood.png\" b roughness=texture \"wood.png\" g",
+     "\"pbrMetallicRoughness\": {\"metallicRoughnessTexture\": {\"index\": 0}}", ""},
     {"`glass thin=true`", "`KHR_materials_transmission`; the base colour is that of the pane",
      "brdf glass colour=(1, 0.5, 0.25) thin=true",
      "\"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 0.5, 0.25, 1], \"metallicFactor\": 0, "
@@ -193,6 +202,32 @@ int GltfMaterialWriter::add(json material) {
   return known->second;
 }
 
+/// Adds the images of parameters. Metallic and roughness are channels of one image, of which one may be
+/// without effect.
+void GltfMaterialWriter::add_maps(json& material, const GltfBrdf& values, bool has_texture) {
+  const auto file_of = [&](std::string_view parameter) {
+    const auto found = values.maps.find(parameter);
+    return found == values.maps.end() ? std::string() : found->second.file;
+  };
+  const std::string metallic = file_of("metallic");
+  const std::string roughness = file_of("roughness");
+  const bool is_one = metallic == roughness || (roughness.empty() && values.roughness == 0) ||
+                      (metallic.empty() && values.metallic == 0);
+  for (const auto& [parameter, map] : values.maps) {
+    const auto row = std::ranges::find(GltfMaps, parameter, &GltfMap::parameter);
+    const bool is_base = parameter == "baseColor" && map.channel == grf::ImageChannel::Rgb && !has_texture;
+    const bool is_known =
+        row != GltfMaps.end() && row->channel == map.channel && (!row->extension.empty() || is_one);
+    const int place = is_base || is_known ? texture(map.file) : -1;
+    if (!is_base && !is_known) lost_maps_.emplace_back(parameter);
+    if (place < 0) continue;
+    json& owner = is_base || row->extension.empty()
+                      ? material["pbrMetallicRoughness"]
+                      : material["extensions"][fmt::format("KHR_materials_{}", row->extension)];
+    owner[is_base ? "baseColorTexture" : std::string(row->texture)] = {{"index", place}};
+  }
+}
+
 int GltfMaterialWriter::material(const grf::Surface& surface, const grf::Scope& scope) {
   const grf::ResolvedSurface resolved = grf::resolve(surface, scope);
   const GltfBrdf values = values_of(resolved);
@@ -211,10 +246,14 @@ int GltfMaterialWriter::material(const grf::Surface& surface, const grf::Scope& 
   }
   add_opacity(material, resolved.opacity);
   add_extensions(material, document_.json(), values);
+  add_maps(material, values, resolved.texture != nullptr);
+  if (resolved.brdf != nullptr && has_maps(*resolved.brdf) && values.maps.empty())
+    lost_maps_.push_back(resolved.brdf->keyword);
   // Reflectance is two-sided in GRF, and emission is not.
   material["doubleSided"] = !resolved.emission;
   if (resolved.emission) emit(material, document_.json(), *resolved.emission);
-  if (resolved.brdf != nullptr && resolved.brdf->terms.empty()) {
+  // Names of images in extras would not follow the images.
+  if (resolved.brdf != nullptr && resolved.brdf->terms.empty() && !has_maps(*resolved.brdf)) {
     json& exact = material["extras"]["grf"];
     exact["brdf"] = to_utf8(grf::to_text(*resolved.brdf));
     if (surface.colour) exact["rgb"] = {resolved.colour.x, resolved.colour.y, resolved.colour.z};
@@ -278,6 +317,13 @@ void GltfMaterialWriter::report() const {
                          fmt::format("{}: faces lose their texture in other programs than Granada ({})",
                                      counted(files.size(), one, many), listed(paths)));
   };
+  if (!lost_maps_.empty()) {
+    diagnostics_.warning(
+        grf::whole_file(path_),
+        fmt::format("{} of an image that glTF has not, or by another channel: {}",
+                    counted(lost_maps_.size(), "material lost a parameter", "materials lost a parameter"),
+                    listed(lost_maps_)));
+  }
   warn(unreadable_, "image cannot be read", "images cannot be read");
   warn(unknown_, "image is neither PNG nor JPEG, the formats of glTF",
        "images are neither PNG nor JPEG, the formats of glTF");

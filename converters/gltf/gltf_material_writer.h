@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "converters/gltf/gltf_brdf.h"
 #include "converters/gltf/gltf_document.h"
 #include "converters/gltf/gltf_images.h"
 #include "converters/material_rule.h"
@@ -39,6 +40,7 @@ class GltfMaterialWriter {
 
  private:
   int add(nlohmann::json material);
+  void add_maps(nlohmann::json& material, const GltfBrdf& values, bool has_texture);
   int texture(const std::string& file);
   nlohmann::json image(const std::string& file);
 
@@ -52,6 +54,7 @@ class GltfMaterialWriter {
   std::map<std::string, std::string> embedded_;
   std::vector<std::string> unreadable_;
   std::vector<std::string> unknown_;
+  std::vector<std::string> lost_maps_;  ///< parameters
 };
 
 /// Returns the table of conversions of surfaces that are written.

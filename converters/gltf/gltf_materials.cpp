@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "converters/gltf/gltf_brdf.h"
+#include "converters/gltf/gltf_maps.h"
 #include "converters/mapping_helpers.h"
 #include "converters/wording.h"
 #include "grf/read.h"
@@ -45,17 +46,11 @@ std::array<double, Size> numbers(const Value& object, const std::string& name,
 grf::Vec3d to_vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 grf::Vec3d first_three(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
-/// Returns the texture that a member of an extension names; -1 if there is none.
-int texture_index(const Value& extension, const std::string& name) {
-  if (!extension.Has(name) || !extension.Get(name).Has("index")) return -1;
-  const Value& index = extension.Get(name).Get("index");
-  return index.IsInt() ? index.Get<int>() : -1;
-}
-
-const Value* extension_of(const tinygltf::Material& material, const std::string& name) {
-  const auto found = material.extensions.find("KHR_materials_" + name);
-  return found == material.extensions.end() ? nullptr : &found->second;
-}
+/// A texture of the file, with the coordinates by which it is read.
+struct TextureUse {
+  int index = -1;  ///< -1: there is none
+  TextureLookup lookup;
+};
 
 TextureLookup lookup_of(int set, const Value* transform) {
   TextureLookup lookup;
@@ -66,6 +61,29 @@ TextureLookup lookup_of(int set, const Value* transform) {
   lookup.scale = numbers(*transform, "scale", lookup.scale);
   lookup.rotation = number(*transform, "rotation", 0);
   return lookup;
+}
+
+/// Returns the texture that a member of an extension names.
+TextureUse texture_use(const Value& extension, const std::string& name) {
+  if (!extension.Has(name) || !extension.Get(name).Has("index")) return {};
+  const Value& info = extension.Get(name);
+  const Value* transform = nullptr;
+  if (info.Has("extensions") && info.Get("extensions").Has("KHR_texture_transform"))
+    transform = &info.Get("extensions").Get("KHR_texture_transform");
+  const Value& index = info.Get("index");
+  return {index.IsInt() ? index.Get<int>() : -1,
+          lookup_of(static_cast<int>(number(info, "texCoord", 0)), transform)};
+}
+
+TextureUse texture_use(const tinygltf::TextureInfo& info) {
+  const auto transform = info.extensions.find("KHR_texture_transform");
+  return {info.index,
+          lookup_of(info.texCoord, transform == info.extensions.end() ? nullptr : &transform->second)};
+}
+
+const Value* extension_of(const tinygltf::Material& material, const std::string& name) {
+  const auto found = material.extensions.find("KHR_materials_" + name);
+  return found == material.extensions.end() ? nullptr : &found->second;
 }
 
 std::string joined(const std::vector<double>& values) { return fmt::format("{}", fmt::join(values, " ")); }
@@ -96,6 +114,7 @@ class Reading {
     }
     read_layers();
     is_clamped_ = normalise(values_);
+    if (values_.is_glass() && !values_.maps.empty()) lose(Loss::OtherMap);
     if (extension_of(source_, "unlit") != nullptr) {
       is_unlit_ = true;
       lose(Loss::Unlit);
@@ -118,7 +137,7 @@ class Reading {
     return material;
   }
 
-  const TextureLookup& lookup() const { return lookup_; }
+  TextureLookup lookup() const { return lookup_.value_or(TextureLookup()); }
 
   /// Returns the BRDF of GRF in the extras of the material; nothing if there is none or it does not match.
   std::optional<grf::BrdfModel> exact_brdf(grf::Colour& colour) const {
@@ -167,10 +186,10 @@ class Reading {
     say(fmt::format("baseColorFactor {}", joined(pbr.baseColorFactor)));
     say(fmt::format("metallicFactor {}", pbr.metallicFactor));
     say(fmt::format("roughnessFactor {}", pbr.roughnessFactor));
-    const auto transform = pbr.baseColorTexture.extensions.find("KHR_texture_transform");
-    map(pbr.baseColorTexture.index, pbr.baseColorTexture.texCoord,
-        transform == pbr.baseColorTexture.extensions.end() ? nullptr : &transform->second);
-    if (pbr.metallicRoughnessTexture.index >= 0) lose(Loss::OtherMap);
+    map(texture_use(pbr.baseColorTexture));
+    for (const GltfMap& map : GltfMaps) {
+      if (map.extension.empty()) vary(map, texture_use(pbr.metallicRoughnessTexture));
+    }
   }
 
   // A dielectric over a diffuse base says it exactly, also where its specular reflectance is a metal's.
@@ -185,15 +204,7 @@ class Reading {
     alpha_ = diffuse[3];
     values_.specular_colour = to_vector(specular) * ColourOfFullReflectance;
     values_.roughness = 1 - gloss;
-    const int texture = texture_index(glossiness, "diffuseTexture");
-    if (texture >= 0) {
-      const Value& info = glossiness.Get("diffuseTexture");
-      const Value* transform = nullptr;
-      if (info.Has("extensions") && info.Get("extensions").Has("KHR_texture_transform")) {
-        transform = &info.Get("extensions").Get("KHR_texture_transform");
-      }
-      map(texture, static_cast<int>(number(info, "texCoord", 0)), transform);
-    }
+    map(texture_use(glossiness, "diffuseTexture"));
     lose_maps(glossiness, {"specularGlossinessTexture"});
   }
 
@@ -208,7 +219,7 @@ class Reading {
       values_.specular = number(*specular, "specularFactor", 1);
       values_.specular_colour = to_vector(colour);
       say(fmt::format("specularFactor {}; specularColorFactor {}", values_.specular, fmt::join(colour, " ")));
-      lose_maps(*specular, {"specularTexture", "specularColorTexture"});
+      vary_by(*specular, "specular");
     }
     move_ior_into_range();
   }
@@ -268,8 +279,8 @@ class Reading {
       values_.coat_roughness = number(*coat, "clearcoatRoughnessFactor", 0);
       say(fmt::format("clearcoatFactor {}; clearcoatRoughnessFactor {}", values_.clearcoat,
                       values_.coat_roughness));
-      lose_maps(*coat, {"clearcoatTexture", "clearcoatRoughnessTexture"});
-      if (texture_index(*coat, "clearcoatNormalTexture") >= 0) lose(Loss::NormalMap);
+      vary_by(*coat, "clearcoat");
+      if (texture_use(*coat, "clearcoatNormalTexture").index >= 0) lose(Loss::NormalMap);
     }
     if (const Value* sheen = extension_of(source_, "sheen")) {
       constexpr double LeastRoughness = 0.01;
@@ -279,7 +290,7 @@ class Reading {
       // The range of glTF begins at 0.
       values_.sheen_roughness = roughness >= 0 ? std::max(roughness, LeastRoughness) : roughness;
       say(fmt::format("sheenColorFactor {}; sheenRoughnessFactor {}", fmt::join(colour, " "), roughness));
-      lose_maps(*sheen, {"sheenColorTexture", "sheenRoughnessTexture"});
+      vary_by(*sheen, "sheen");
     }
     if (const Value* film = extension_of(source_, "iridescence")) {
       values_.iridescence = number(*film, "iridescenceFactor", 0);
@@ -288,16 +299,39 @@ class Reading {
       values_.film_thickness = number(*film, "iridescenceThicknessMaximum", values_.film_thickness);
       say(fmt::format("iridescenceFactor {}; iridescenceIor {}; iridescenceThicknessMaximum {}",
                       values_.iridescence, values_.iridescence_ior, values_.film_thickness));
-      lose_maps(*film, {"iridescenceTexture", "iridescenceThicknessTexture"});
+      vary_by(*film, "iridescence");
+      // The thickness lies between both, and a map of GRF is a factor.
+      const bool is_product = number(*film, "iridescenceThicknessMinimum", 100) == 0;
+      if (!is_product && values_.maps.erase("filmThickness") > 0) lose(Loss::OtherMap);
     }
   }
 
-  void map(int texture, int set, const Value* transform) {
-    if (texture < 0) return;
-    map_ = images_.texture(texture);
-    if (!map_) return lose(Loss::TextureImage);
-    lookup_ = lookup_of(set, transform);
-    if (!images_.repeats(texture)) lose(Loss::TextureWrap);
+  void map(const TextureUse& use) {
+    if (use.index < 0) return;
+    map_ = image_of(use);
+    if (map_) lookup_ = use.lookup;
+  }
+
+  std::optional<grf::Texture> image_of(const TextureUse& use) {
+    auto image = images_.texture(use.index);
+    if (!image) lose(Loss::TextureImage);
+    if (image && !images_.repeats(use.index)) lose(Loss::TextureWrap);
+    return image;
+  }
+
+  /// Lets an image vary a parameter. All images of a face have the same texture coordinates in GRF.
+  void vary(const GltfMap& map, const TextureUse& use) {
+    if (use.index < 0) return;
+    if (lookup_ && *lookup_ != use.lookup) return lose(Loss::OtherMap);
+    const auto image = image_of(use);
+    if (!image) return;
+    lookup_ = use.lookup;
+    values_.maps[map.parameter] = {image->file, map.channel};
+  }
+  void vary_by(const Value& extension, std::string_view name) {
+    for (const GltfMap& map : GltfMaps) {
+      if (map.extension == name) vary(map, texture_use(extension, std::string(map.texture)));
+    }
   }
 
   // An emissive map is mostly dark as a rule: such faces do not emit at all.
@@ -351,7 +385,7 @@ class Reading {
   }
   void lose_maps(const Value& extension, std::initializer_list<const char*> names) {
     for (const char* name : names) {
-      if (texture_index(extension, name) >= 0) lose(Loss::OtherMap);
+      if (texture_use(extension, name).index >= 0) lose(Loss::OtherMap);
     }
   }
 
@@ -364,8 +398,8 @@ class Reading {
   bool is_unlit_ = false;
   grf::Vec3d emission_ = grf::Vec3d(0);  ///< radiance, W/(sr m2)
   std::optional<grf::Texture> map_;
-  TextureLookup lookup_;
-  std::vector<std::string> said_;  ///< the values of the file
+  std::optional<TextureLookup> lookup_;  ///< of all images
+  std::vector<std::string> said_;        ///< the values of the file
   std::vector<Loss> losses_;
 };
 

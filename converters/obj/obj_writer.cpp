@@ -249,7 +249,7 @@ bool write_obj(const grf::Scene& scene, const std::string& path, grf::Diagnostic
   const MtlWriter materials(flat, meshes);
   const std::string library = std::filesystem::path(path).replace_extension(".mtl").string();
   Losses losses;
-  meshes.count({Loss::SamplingScheme, Loss::Irradiance, Loss::Cutoff}, losses);
+  meshes.count({Loss::ParameterMap, Loss::SamplingScheme, Loss::Irradiance, Loss::Cutoff}, losses);
   losses.add(Loss::Observer, grf::observers_of(flat).size());
   ObjWriter obj(meshes, materials, std::filesystem::path(library).filename().string(), losses);
   std::vector<grf::NewFile> files;

@@ -115,6 +115,7 @@ std::vector<RenderShape> RenderSceneBuilder::shapes_of(const grf::Mesh& mesh,
     if (surface.emission && !reflectance::is_black(*surface.emission)) shape.emission = surface.emission;
     if (shape.emission && !mesh.geometry->normals.empty()) scene_.losses.add(Loss::EmitterNormal, faces[i]);
     if (surface.pdf != nullptr) scene_.losses.add(Loss::SamplingScheme, faces[i]);
+    if (surface.brdf != nullptr && has_maps(*surface.brdf)) scene_.losses.add(Loss::ParameterMap, faces[i]);
     shape.opacity = surface.opacity;
     if (surface.opacity.reads_alpha()) shape.alpha = surface.texture->file;
     shapes.push_back(std::move(shape));

@@ -95,6 +95,7 @@ std::size_t ExchangeMaterials::index_of(const grf::Surface& surface, const grf::
   if (shaded.surface.emission && is_black_light(*shaded.surface.emission) && !is_unlit)
     shaded.surface.emission.reset();
   if (shaded.surface.pdf != nullptr) losses.add(Loss::SamplingScheme, faces);
+  if (shaded.surface.brdf != nullptr && has_maps(*shaded.surface.brdf)) losses.add(Loss::ParameterMap, faces);
   const std::size_t index = add(std::move(shaded), original_name(surface), text);
   if (!materials_[index].graph.is_exact) losses.add(Loss::BrdfNearest, faces);
   return index;
