@@ -40,6 +40,19 @@ std::optional<Loss> loss_of(std::string_view keyword) {
 constexpr std::array<std::string_view, 7> PhysicalKeywords = {"Pr",  "Pm",    "Ps",    "Pc",
                                                               "Pcr", "aniso", "anisor"};
 
+/// An image of one of these parameters, in the BRDF `gltf`.
+struct PhysicalMap {
+  std::string_view keyword;
+  std::string_view value;      ///< of PhysicalKeywords
+  std::string_view parameter;  ///< of the BRDF
+  grf::ImageChannel channel = grf::ImageChannel::Red;
+};
+constexpr std::array<PhysicalMap, 5> PhysicalMaps = {{{"map_Pr", "Pr", "roughness"},
+                                                      {"map_Pm", "Pm", "metallic"},
+                                                      {"map_Ps", "Ps", "sheenColor", grf::ImageChannel::Rgb},
+                                                      {"map_Pc", "Pc", "clearcoat"},
+                                                      {"map_Pcr", "Pcr", "coatRoughness"}}};
+
 // The illumination models of the format: 0 and 1 have no highlight; 3 to 9 trace reflections, 4, 6, 7 and 9
 // with refraction.
 Reflection reflection_of(int illumination) {
@@ -51,7 +64,7 @@ bool refracts(int illumination) {
 }
 
 /// The table of conversions by `MtlReader` and the mapping.
-constexpr std::array<MaterialRule, 18> MtlRules = {{
+constexpr std::array<MaterialRule, 19> MtlRules = {{
     {"`Ks` = 0 or absent, or `illum` 0 or 1", "`diffuse kd=Kd`; an absent `Kd` is 0.5",
      "Kd 0.5 0.25 0.1; Ks 0.5; illum 1", "diffuse kd=(0.5, 0.25, 0.1)", ""},
     {"`Ks` > 0, any other `illum` or none",
@@ -88,6 +101,10 @@ constexpr std::array<MaterialRule, 18> MtlRules = {{
      "Kd 0.5; Ks 0.3; Pr 0.3; Pm 1", "gltf baseColor=0.5 metallic=1 roughness=0.3", ""},
     {"the same without `Pr`", "the roughness of the lobe of `Ns`, or 0.5", "Kd 0.5; Ns 127.5; Pc 1",
      "gltf baseColor=0.5 roughness=0.25 clearcoat=1", ""},
+    {"`map_Pr`, `map_Pm`, `map_Ps`, `map_Pc`, `map_Pcr`",
+     "images of these parameters, in place of their values; lost with another `-s` or `-o` than `map_Kd` or "
+     "the first of them",
+     "Kd 0.5; Pr 0.3; map_Pr wood.png", "gltf baseColor=0.5 roughness=texture \"wood.png\" r", ""},
     {"values out of range", "clamped", "Kd 1.5", "diffuse kd=1", "out of range"},
     {"`Ka`, `Ni`, `Tf`, `sharpness`", "kept only in the comment", "Kd 0.5; Ka 0.1; Ni 1.5", "diffuse kd=0.5",
      ""},
@@ -128,7 +145,9 @@ class MtlReader {
   void read_exact_brdf_of(const Statement& comment, std::string_view text);
   void read_exact_colour(const Statement& comment, std::string_view text);
   bool read_physically_based(const Statement& statement);
-  GltfBrdf physically_based() const;
+  GltfBrdf physically_based();
+  void add_maps(GltfBrdf& values);
+  bool read_map(const Statement& statement);
   bool read_transparency(const Statement& statement);
   void read_image(const Statement& statement);
   void finish();
@@ -152,7 +171,8 @@ class MtlReader {
   std::optional<double> transparency_;           // `Tr`, 1 - `d`; `d` overrides it
   std::optional<std::string> alpha_map_;         // `map_d`
   std::map<std::string_view, double> physical_;  // the parameters of `PhysicalKeywords` that the material has
-  std::optional<double> index_;                  // `Ni`, the index of refraction
+  std::map<const PhysicalMap*, MtlImage> physical_maps_;  // images of them
+  std::optional<double> index_;                           // `Ni`, the index of refraction
   std::size_t unread_values_ = 0;
   grf::SourceLocation first_unread_;
 };
@@ -167,6 +187,7 @@ void MtlReader::begin(const Statement& statement) {
   transparency_.reset();
   alpha_map_.reset();
   physical_.clear();
+  physical_maps_.clear();
   index_.reset();
 }
 
@@ -180,7 +201,7 @@ void MtlReader::finish() {
   }
   // An image without a colour is not scaled.
   if (current_->phong.diffuse_map && !has_diffuse_) current_->phong.diffuse = grf::Vec3d(1);
-  if (!physical_.empty()) current_->phong.physically_based = physically_based();
+  if (!physical_.empty() || !physical_maps_.empty()) current_->phong.physically_based = physically_based();
   // Values derived from the exact BRDF add no information.
   if (current_->exact) current_->phong.source_values.clear();
   identifiers_.insert(grf::to_identifier(current_->phong.name));
@@ -210,7 +231,7 @@ void MtlReader::read(const Statement& statement) {
     if (refracts(illumination)) add_loss(Loss::Transparency);
   } else if (same_keyword(keyword, "map_Kd")) {
     read_image(statement);
-  } else if (read_transparency(statement) || read_physically_based(statement)) {
+  } else if (read_transparency(statement) || read_physically_based(statement) || read_map(statement)) {
     return;
   } else if (const auto loss = loss_of(keyword)) {
     add_loss(*loss);
@@ -231,7 +252,9 @@ bool MtlReader::read_physically_based(const Statement& statement) {
 }
 
 // Programs write these beside `Ks` and `Ns`, which are for those that do not know them.
-GltfBrdf MtlReader::physically_based() const {
+GltfBrdf MtlReader::physically_based() {
+  // Programs that write an image beside a value, such as Blender, mean the image alone.
+  for (const auto& [map, image] : physical_maps_) physical_[map->value] = 1;
   const auto value = [this](std::string_view keyword, double otherwise) {
     const auto found = physical_.find(keyword);
     return found == physical_.end() ? otherwise : found->second;
@@ -247,7 +270,36 @@ GltfBrdf MtlReader::physically_based() const {
   values.anisotropy = value("aniso", 0);
   values.rotation = 2 * std::numbers::pi * std::remainder(value("anisor", 0), 1.0);
   if (index_.value_or(0) >= 1) values.ior = *index_;
+  add_maps(values);
   return values;
+}
+
+// All images of a face have the same texture coordinates in GRF.
+void MtlReader::add_maps(GltfBrdf& values) {
+  for (const auto& [map, image] : physical_maps_) {
+    const bool is_first = !current_->phong.diffuse_map && values.maps.empty();
+    if (is_first) current_->uv = image.uv;
+    if (image.uv != current_->uv) {
+      add_loss(Loss::OtherMap);
+    } else {
+      values.maps[map->parameter] = {image.name, map->channel};
+    }
+  }
+}
+
+/// Reads the image of a parameter of `PhysicalMaps`.
+bool MtlReader::read_map(const Statement& statement) {
+  const auto map = std::ranges::find_if(PhysicalMaps, [&](const PhysicalMap& candidate) {
+    return same_keyword(statement.keyword, candidate.keyword);
+  });
+  if (map == PhysicalMaps.end()) return false;
+  if (const auto image = parse_image(statement)) {
+    physical_maps_[&*map] = *image;
+    if (image->has_other_options) add_loss(Loss::TextureOption);
+  } else {
+    note_unread(statement);
+  }
+  return true;
 }
 
 bool MtlReader::read_transparency(const Statement& statement) {

@@ -13,6 +13,7 @@ struct UvTransform {
   grf::Vec2d scale = grf::Vec2d(1);
   grf::Vec2d offset = grf::Vec2d(0);
 
+  bool operator==(const UvTransform&) const = default;
   bool is_identity() const { return scale == grf::Vec2d(1) && offset == grf::Vec2d(0); }
   grf::Vec2f apply(const grf::Vec2f& uv) const { return grf::Vec2f(grf::Vec2d(uv) * scale + offset); }
 };

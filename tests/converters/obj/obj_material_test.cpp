@@ -171,7 +171,11 @@ TEST(ObjMaterials, LossesAreCountedInFaces) {
               HasSubstr("2 faces lost an option of their texture"));
   EXPECT_THAT(warnings_of_material("bump a.png\nnorm b.png\n"), HasSubstr("2 faces lost their bump map: "));
   EXPECT_THAT(warnings_of_material("map_Ns a.png\nmap_Ks b.png\n"), HasSubstr("2 faces lost their map of"));
-  EXPECT_THAT(warnings_of_material("map_Pr a.png\n"), HasSubstr("2 faces lost their map of"));
+  EXPECT_THAT(warnings_of_material("map_Ns a.png\n"), HasSubstr("2 faces lost their map of"));
+  EXPECT_THAT(warnings_of_material("map_Kd a.png\nmap_Pr -s 2 2 b.png\n"),
+              HasSubstr("2 faces lost their map of"));
+  EXPECT_THAT(warnings_of_material("map_Pr -s 2 2 b.png\nmap_Pm -s 2 2 c.png\n"),
+              testing::Not(HasSubstr("map of a parameter")));
   EXPECT_THAT(warnings_of_material("Kd 1 1 1\nKm 0.05\n"), IsEmpty());
 }
 
