@@ -1,6 +1,9 @@
 #include "editor/brdf/model_values.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QStringList>
+#include <algorithm>
 
 #include "editor/brdf/model_form.h"
 #include "editor/controls/expression.h"
@@ -48,6 +51,30 @@ void set_value(grf::Model& model, const grf::ParameterInfo& parameter, const grf
     return;
   }
   model.arguments.push_back({std::string(parameter.name), value, model.location});
+}
+
+std::optional<grf::ParameterMap> map_of(const grf::Model& model, const grf::ParameterInfo& parameter) {
+  const grf::Argument* argument = grf::find_argument(model, parameter);
+  return argument == nullptr ? std::nullopt : argument->map;
+}
+
+void set_map(grf::Model& model, const grf::ModelInfo& info, const grf::ParameterInfo& parameter,
+             const std::optional<grf::ParameterMap>& map) {
+  if (!map && is_default(model, parameter)) return;
+  const grf::Value value = value_of(model, info, parameter);
+  const bool hides = map && (value == grf::Value(0.0F) || value == grf::Value(grf::Colour(0)));
+  set_value(model, parameter, hides ? grf::Value(std::min(1.0F, parameter.maximum)) : value);
+  for (grf::Argument& argument : model.arguments) {
+    if (!parameter.is_called(argument.name)) continue;
+    argument.map = map;
+    if (!map || !model.location.file) continue;
+    // The name is relative to the file that has the BRDF, so that both can be moved together.
+    argument.location = model.location;
+    const QFileInfo scene(QString::fromStdString(model.location.file->path));
+    const QString file = QString::fromStdString(map->file);
+    if (QFileInfo(file).isAbsolute())
+      argument.map->file = scene.absoluteDir().relativeFilePath(file).toStdString();
+  }
 }
 
 void reset_value(grf::Model& model, const grf::ParameterInfo& parameter) {

@@ -2,19 +2,23 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDropEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMimeData>
 #include <QScopedValueRollback>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
 #include "editor/appearance/theme.h"
+#include "editor/brdf/map_button.h"
 #include "editor/controls/colour_button.h"
 #include "editor/controls/form_widgets.h"
 #include "editor/controls/number_box.h"
 #include "editor/controls/scaled_slider.h"
 #include "editor/controls/text.h"
+#include "editor/document/image_files.h"
 
 namespace editor {
 namespace {
@@ -48,7 +52,7 @@ constexpr std::array<const char*, 3> ChannelNames = {"red", "green", "blue"};
 
 }  // namespace
 
-ParameterRow::ParameterRow(const grf::ParameterInfo& parameter, QWidget* parent)
+ParameterRow::ParameterRow(const grf::ParameterInfo& parameter, bool takes_maps, QWidget* parent)
     : QWidget(parent), parameter_(parameter) {
   auto* row = tight_layout<QHBoxLayout>(this);
   name_ = new QLabel(text_of(parameter.name), this);
@@ -62,6 +66,7 @@ ParameterRow::ParameterRow(const grf::ParameterInfo& parameter, QWidget* parent)
   } else {
     add_choice();
   }
+  if (is_number && takes_maps && !parameter.is_whole) add_map();
   add_reset();
 }
 
@@ -161,6 +166,27 @@ void ParameterRow::add_choice() {
   name_->setBuddy(words_);
   connect(words_, &QComboBox::activated, this,
           [this] { emit edited(grf::Word{words_->currentText().toStdString()}); });
+}
+
+void ParameterRow::add_map() {
+  map_ = new MapButton(parameter_, this);
+  layout()->addWidget(map_);
+  connect(map_, &MapButton::edited, this, &ParameterRow::map_edited);
+  setAcceptDrops(true);
+}
+
+void ParameterRow::show_maps(const std::vector<std::optional<grf::ParameterMap>>& maps) {
+  if (map_ != nullptr) map_->show_maps(maps);
+}
+
+void ParameterRow::dragEnterEvent(QDragEnterEvent* event) {
+  const QStringList files = local_files(*event->mimeData());
+  if (files.size() == 1 && is_image(files.front())) event->acceptProposedAction();
+}
+
+void ParameterRow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  map_->take(local_files(*event->mimeData()).front());
 }
 
 void ParameterRow::add_reset() {

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "editor/brdf/model_values.h"
@@ -14,21 +15,24 @@ class QToolButton;
 namespace editor {
 
 class ColourButton;
+class MapButton;
 class NumberBox;
 class ScaledSlider;
 
 /// The controls of one parameter, generated from its description: a slider and a number field, three fields
-/// for RGB, a check box or a choice of words, and a reset button.
+/// for RGB, a check box or a choice of words, and buttons for an image that varies it and for a reset.
 class ParameterRow : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ParameterRow(const grf::ParameterInfo& parameter, QWidget* parent = nullptr);
+  /// `takes_maps` tells whether images may vary parameters of the model.
+  explicit ParameterRow(const grf::ParameterInfo& parameter, bool takes_maps, QWidget* parent = nullptr);
 
   const grf::ParameterInfo& parameter() const { return parameter_; }
 
   /// Shows the values of the edited models; `mixed` where they differ.
   void show_values(const std::vector<grf::Value>& values, bool is_default);
+  void show_maps(const std::vector<std::optional<grf::ParameterMap>>& maps);
   /// Shows an error of the value; an empty message clears it.
   void set_message(const QString& message);
   /// Sets the width of the name column, the same for all rows.
@@ -38,12 +42,18 @@ class ParameterRow : public QWidget {
  signals:
   void changing(const grf::Value& value);
   void edited(const grf::Value& value);
+  void map_edited(const std::optional<grf::ParameterMap>& map);
   void reset();
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void add_number();
   void add_colour();
   void add_choice();
+  void add_map();
   void add_reset();
   void show_number(const std::vector<grf::Value>& values);
   void show_colour(const std::vector<grf::Value>& values);
@@ -64,6 +74,7 @@ class ParameterRow : public QWidget {
   ColourButton* colour_ = nullptr;
   QCheckBox* check_ = nullptr;
   QComboBox* words_ = nullptr;
+  MapButton* map_ = nullptr;
 };
 
 }  // namespace editor

@@ -14,7 +14,7 @@ ParameterRows::ParameterRows(QWidget* parent) : QWidget(parent), column_(tight_l
 void ParameterRows::add_rows() {
   int name_width = 4 * Grid;
   for (const grf::ParameterInfo& parameter : info_->parameters) {
-    auto* row = new ParameterRow(parameter, this);
+    auto* row = new ParameterRow(parameter, info_->takes_maps, this);
     rows_.push_back(row);
     column_->addWidget(row);
     name_width = std::max(name_width, row->name_width());
@@ -23,6 +23,9 @@ void ParameterRows::add_rows() {
     };
     connect(row, &ParameterRow::changing, this, [set](const grf::Value& value) { set(value, false); });
     connect(row, &ParameterRow::edited, this, [set](const grf::Value& value) { set(value, true); });
+    connect(row, &ParameterRow::map_edited, this, [this, row](const auto& map) {
+      emit edited([&](grf::Model& model) { set_map(model, *info_, row->parameter(), map); }, true);
+    });
     connect(row, &ParameterRow::reset, this, [this, row] {
       emit edited([row](grf::Model& model) { reset_value(model, row->parameter()); }, true);
     });
@@ -49,6 +52,9 @@ void ParameterRows::show_models(const grf::ModelInfo* info, const std::vector<co
     const bool all_default = std::ranges::all_of(
         models, [row](const grf::Model* model) { return is_default(*model, row->parameter()); });
     row->show_values(values, all_default);
+    std::vector<std::optional<grf::ParameterMap>> maps;
+    for (const grf::Model* model : models) maps.push_back(map_of(*model, row->parameter()));
+    row->show_maps(maps);
   }
 }
 

@@ -5,12 +5,23 @@
 #include <optional>
 
 #include "editor/document/references.h"
+#include "grf/keywords.h"
 #include "grf/text_file.h"
 #include "grf/vertex_tree.h"
 #include "grf/visit.h"
 
 namespace editor {
 namespace {
+
+/// Returns the image of the colour of a BRDF, which is shown as a texture; null if there is none.
+const grf::ParameterMap* colour_map_of(const grf::BrdfModel& brdf) {
+  for (const grf::Argument& argument : brdf.arguments) {
+    const bool is_colour =
+        grf::same_keyword(argument.name, "kd") || grf::same_keyword(argument.name, "baseColor");
+    if (is_colour && argument.map && argument.map->channel == grf::ImageChannel::Rgb) return &*argument.map;
+  }
+  return nullptr;
+}
 
 class Collector {
  public:
@@ -90,7 +101,9 @@ class Collector {
       place(meet_next({{}, {}, light.mesh, false, true, {}}, placement), placement);
     };
     visitor.definition = [=, this](const grf::Definition& definition, const grf::Placement& placement) {
-      if (std::holds_alternative<grf::Texture>(definition.body)) file_of_[&definition] = placement.file;
+      const bool names_images = std::holds_alternative<grf::Texture>(definition.body) ||
+                                std::holds_alternative<grf::BrdfModel>(definition.body);
+      if (names_images) file_of_[&definition] = placement.file;
       const auto* mesh = std::get_if<grf::Shared<grf::Mesh>>(&definition.body);
       if (mesh != nullptr)
         defined_[&definition] = meet_next({{}, definition.name, *mesh, true, false, {}}, placement);
@@ -120,6 +133,13 @@ class Collector {
     for (const grf::Vec3d& corner : corners_of(objects_.lights.back())) objects_.bounds.extendBy(corner);
   }
 
+  /// Returns the file that names the image of an attribute: that of its definition, or of the mesh.
+  template <class Attribute>
+  std::string naming_file(const Attribute& attribute, const grf::Placement& placement) const {
+    const auto* name = std::get_if<grf::Reference>(&attribute);
+    return std::string(name == nullptr ? placement.file : file_of_.at(placement.scope.find(name->name)));
+  }
+
   std::vector<FlatSurface> flat_surfaces_of(const grf::Mesh& mesh, const grf::Placement& placement) const {
     std::vector<FlatSurface> flat_surfaces;
     for (const grf::Surface& surface : mesh.surfaces)
@@ -134,12 +154,17 @@ class Collector {
     flat_surface.emission = resolved.emission;
     flat_surface.opacity = resolved.opacity;
     if (resolved.texture != nullptr) {
-      const auto* name = std::get_if<grf::Reference>(&*surface.texture);
-      const std::string file(name == nullptr ? placement.file
-                                             : file_of_.at(placement.scope.find(name->name)));
-      flat_surface.texture = grf::path_beside(file, resolved.texture->file);
+      flat_surface.texture =
+          grf::path_beside(naming_file(*surface.texture, placement), resolved.texture->file);
     }
     if (resolved.brdf == nullptr) return flat_surface;
+    const grf::ParameterMap* map = colour_map_of(*resolved.brdf);
+    if (map != nullptr && flat_surface.texture.empty()) {
+      const std::string file = naming_file(*surface.brdf, placement);
+      const std::string& instance = resolved.brdf->instance_file;
+      flat_surface.texture =
+          grf::path_beside(instance.empty() ? file : grf::path_beside(file, instance), map->file);
+    }
     flat_surface.brdf = *resolved.brdf;
     if (resolved.brdf->terms.empty()) return flat_surface;
     for (const grf::WeightedBrdf& summand : grf::summands_of(*resolved.brdf, resolved.brdf_scope)) {
@@ -161,7 +186,7 @@ class Collector {
   // The latest visit of these definitions: they precede their uses, and a file that is included at several
   // places is visited once per place, since names may resolve differently there.
   std::map<const grf::Definition*, std::uint32_t> defined_;  // indices of meshes
-  std::map<const grf::Definition*, std::string> file_of_;    // file in which a texture is defined
+  std::map<const grf::Definition*, std::string> file_of_;    // file in which a texture or a BRDF is
 };
 
 }  // namespace

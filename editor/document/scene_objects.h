@@ -30,7 +30,7 @@ struct FlatSurface {
   std::optional<grf::BrdfModel> brdf;  ///< absent for GRF's default
   /// The flattened terms of a `combine`, through nested sums, or a layered BRDF; else empty.
   std::vector<FlatTerm> terms;
-  std::string texture;  ///< path of the image; empty for none
+  std::string texture;  ///< path of the image, or of that of the BRDF's colour; empty for none
   std::optional<grf::Colour> emission;
   grf::Opacity opacity;  ///< reads alpha only if there is a texture
 };

@@ -4388,6 +4388,61 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
     </message>
 </context>
 <context>
+    <name>editor::MapButton</name>
+    <message>
+        <source>%1, image</source>
+        <translation>%1, imagen</translation>
+    </message>
+    <message>
+        <source>Choose an image...</source>
+        <translation>Elegir una imagen...</translation>
+    </message>
+    <message>
+        <source>Remove the image</source>
+        <translation>Quitar la imagen</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Color</translation>
+    </message>
+    <message>
+        <source>Red channel</source>
+        <translation>Canal rojo</translation>
+    </message>
+    <message>
+        <source>Green channel</source>
+        <translation>Canal verde</translation>
+    </message>
+    <message>
+        <source>Blue channel</source>
+        <translation>Canal azul</translation>
+    </message>
+    <message>
+        <source>Alpha channel</source>
+        <translation>Canal alfa</translation>
+    </message>
+    <message>
+        <source>The images of %1 are mixed</source>
+        <translation>Las imágenes de %1 son distintas</translation>
+    </message>
+    <message>
+        <source>Vary %1 over the faces by an image: choose it, or drop it on the row</source>
+        <translation>Variar %1 sobre las caras con una imagen: elíjala o suéltela en la fila</translation>
+    </message>
+    <message>
+        <source>Image of %1</source>
+        <translation>Imagen de %1</translation>
+    </message>
+    <message>
+        <source>Images (%1);;All files (*)</source>
+        <translation>Imágenes (%1);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>%1 varies by the image %2, times the number, in previews and renders</source>
+        <translation>%1 varía según la imagen %2, por el número, en las vistas previas y los renders</translation>
+    </message>
+</context>
+<context>
     <name>editor::MaterialActions</name>
     <message>
         <source>&amp;Copy material</source>

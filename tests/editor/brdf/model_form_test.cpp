@@ -1,14 +1,19 @@
 #include "editor/brdf/model_form.h"
 
+#include <QApplication>
 #include <QComboBox>
+#include <QDropEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 
 #include <gmock/gmock.h>
 
+#include "editor/brdf/map_button.h"
 #include "editor/brdf/model_values.h"
 #include "editor/brdf/parameter_row.h"
 #include "editor/brdf/parameter_rows.h"
@@ -81,6 +86,52 @@ TEST(BrdfForm, HasARowForEachParameterOfEachModel) {
     EXPECT_EQ(form.models(), Models{model});
   }
   EXPECT_TRUE(reports.edited.empty() && reports.changing.empty());
+}
+
+/// Drops a file on a widget, as a file manager does.
+void drop_file(QWidget& widget, const QString& file) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(file)});
+  QDragEnterEvent enter(QPoint(2, 2), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&widget, &enter);
+  if (!enter.isAccepted()) return;
+  QDropEvent drop(QPointF(2, 2), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&widget, &drop);
+}
+
+TEST(BrdfForm, VariesAParameterByAnImage) {
+  BrdfForm form;
+  show(form);
+  Reports reports(form);
+  grf::BrdfModel model = brdf_model("gltf roughness=0.8");
+  model.location = grf::whole_file("/home/scenes/room.grf");
+  form.set_models({model});
+  ParameterRow* roughness = row_of(form, "roughness");
+  drop_file(*roughness, "/home/scenes/images/worn.png");
+  ASSERT_EQ(reports.edited.size(), 1U);
+  EXPECT_EQ(grf::to_text(reports.edited.back()[0]), "gltf roughness=texture \"images/worn.png\" r * 0.8");
+  drop_file(*row_of(form, "metallic"), "/home/scenes/worn.png");
+  EXPECT_EQ(grf::to_text(reports.edited.back()[0]),
+            "gltf roughness=texture \"images/worn.png\" r * 0.8 metallic=texture \"worn.png\" r");
+  drop_file(*row_of(form, "baseColor"), "/home/scenes/notes.txt");
+  EXPECT_EQ(reports.edited.size(), 2U) << "no image";
+  auto* button = roughness->findChild<MapButton*>();
+  EXPECT_THAT(button->toolTip().toStdString(), testing::HasSubstr("worn.png"));
+  const auto press = [&](const QString& title) {
+    for (QAction* action : button->menu()->actions()) {
+      if (action->text() == title) action->trigger();
+    }
+  };
+  press("Green channel");
+  EXPECT_EQ(grf::to_text(form.models()[0]),
+            "gltf roughness=texture \"images/worn.png\" g * 0.8 metallic=texture \"worn.png\" r");
+  type(box_of(form, "roughness"), "0.5");
+  EXPECT_EQ(grf::to_text(form.models()[0]),
+            "gltf roughness=texture \"images/worn.png\" g * 0.5 metallic=texture \"worn.png\" r");
+  press("Remove the image");
+  EXPECT_EQ(grf::to_text(form.models()[0]), "gltf roughness=0.5 metallic=texture \"worn.png\" r");
+  form.set_models({brdf_model("glass")});
+  EXPECT_EQ(row_of(form, "ior")->findChild<MapButton*>(), nullptr);
 }
 
 TEST(BrdfForm, KeepsTheDefaultsThatAreTypedIn) {

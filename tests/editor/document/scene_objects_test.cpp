@@ -114,6 +114,21 @@ TEST_F(SceneObjectsTest, TexturesByNameAreBesideTheFileThatDefinesThem) {
       ElementsAre("scenes/t.png", "b/own.png"));
 }
 
+// The 3D view shows it as a texture.
+TEST_F(SceneObjectsTest, HaveTheImageOfTheColourOfTheirBrdf) {
+  folder_.add("scenes/brdfs/oak.brdf", "gltf baseColor=texture \"oak.png\" rgb");
+  EXPECT_THAT(textures(triangle_mesh("brdf diffuse kd=texture \"t.png\" rgb") +
+                       triangle_mesh("brdf \"brdfs/oak.brdf\"") +
+                       triangle_mesh("texture \"own.png\" brdf diffuse kd=texture \"t.png\" rgb")),
+              ElementsAre("scenes/t.png", "scenes/brdfs/oak.png", "scenes/own.png"));
+  folder_.add("a/part.grf", "def oak = brdf gltf baseColor=texture \"oak.png\" rgb begin " +
+                                triangle_mesh("brdf oak") + " end");
+  EXPECT_THAT(textures("include \"../a/part.grf\""), ElementsAre("a/oak.png"));
+  const SceneObjects other =
+      objects(triangle_mesh("brdf ward sx=texture \"t.png\" r kd=texture \"t.png\" r"));
+  EXPECT_EQ(flat_surfaces_of(other).at(0).texture, "") << "no colours";
+}
+
 TEST(DeepScenes, CanBeLookedAtAndEditedOnASmallStack) {
   std::string text;
   for (std::size_t i = 0; i < grf::DeepestNesting; ++i) {
