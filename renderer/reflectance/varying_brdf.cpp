@@ -18,14 +18,20 @@ Rgb factor_of(const grf::Value& value) {
 
 VaryingBrdf::VaryingBrdf(const grf::Model& model) : brdf_(*make_brdf(model)) {
   std::visit([&]<class Model>(const Model&) { find_varied<Model>(model); }, static_cast<AnyBrdf&>(brdf_));
-  const Brdf without = at(std::vector<Rgb>(maps_.size(), Rgb(0)));
-  may_be_specular_ = has_specular_part(brdf_) || has_specular_part(without);
+  // All at their factors, none, and all different, so that parameters that are equal else are not.
+  std::vector<Rgb> texels(maps_.size(), Rgb(0));
+  std::vector<Brdf> probes = {brdf_, at(texels)};
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    texels[i] = Rgb(static_cast<float>(i + 1) / static_cast<float>(texels.size() + 1));
+  }
+  probes.push_back(at(texels));
+  may_be_specular_ = std::ranges::any_of(probes, has_specular_part);
+  may_be_anisotropic_ = std::ranges::any_of(probes, is_anisotropic);
 }
 
 template <class Model>
 void VaryingBrdf::find_varied(const grf::Model& data) {
   const ModelTable<Model> table = Model::table();
-  may_be_anisotropic_ = !table.not_isotropic.empty();
   std::vector<const grf::Argument*> arguments;  // of the maps
   for (const Parameter<Model>& parameter : table.parameters) {
     const grf::Argument* argument = argument_for(parameter, table, data);

@@ -24,7 +24,7 @@ class VaryingBrdf {
   /// The model must be one that `grf::check` found valid, without data or parts.
   explicit VaryingBrdf(const grf::Model& model);
 
-  const std::vector<Map>& maps() const { return maps_; }
+  const std::vector<Map>& maps() const { return maps_; }  ///< Returns the images, each once.
 
   /// Returns the BRDF at a point, given a texel per map; a single channel is in all three components. Values
   /// out of a parameter's range become its nearest end.
