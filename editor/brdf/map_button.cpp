@@ -21,6 +21,7 @@ MapButton::MapButton(const grf::ParameterInfo& parameter, QWidget* parent)
       channels_(new QActionGroup(this)) {
   setIcon(editor::icon("texture"));
   setAutoRaise(true);
+  setCheckable(true);
   setPopupMode(QToolButton::InstantPopup);
   setFocusPolicy(Qt::TabFocus);
   setAccessibleName(tr("%1, image").arg(name_));
@@ -54,7 +55,7 @@ void MapButton::show_maps(const std::vector<std::optional<grf::ParameterMap>>& m
   const bool is_common = std::ranges::all_of(maps, [&](const auto& map) { return map == maps.front(); });
   const bool has_some = std::ranges::any_of(maps, [](const auto& map) { return map.has_value(); });
   map_ = is_common ? maps.front() : std::nullopt;
-  setDown(has_some);
+  setChecked(has_some);
   const QString file = map_ ? QString::fromStdString(map_->file) : QString();
   setToolTip(!is_common ? tr("The images of %1 are mixed").arg(name_)
              : map_     ? tr("%1 varies by the image %2, times the number, in previews and renders")

@@ -27,6 +27,9 @@ class MapButton : public QToolButton {
   /// Emitted with the image as chosen, by its full path; nothing removes it.
   void edited(const std::optional<grf::ParameterMap>& map);
 
+ protected:
+  void nextCheckState() override {}  ///< Does nothing: it is checked while there is an image.
+
  private:
   void add_channel(grf::ImageChannel channel, const QString& title);
   void choose();

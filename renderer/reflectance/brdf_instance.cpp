@@ -96,7 +96,12 @@ std::optional<Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& dia
     stack.enter(definition);
   }
   const auto brdf = BrdfMaker(diagnostics).make(model, stack.scope());
-  return brdf ? std::optional(*brdf) : std::nullopt;
+  if (brdf && has_maps(model)) {
+    diagnostics.warning(
+        model.location,
+        fmt::format("images vary parameters of '{}': without them, it has their factors", model.keyword));
+  }
+  return brdf;
 }
 
 std::optional<Scheme> make_scheme(const grf::PdfModel& model, const Brdf& brdf,

@@ -12,7 +12,7 @@
 namespace reflectance {
 
 /// Checks a BRDF and makes it ready for evaluation; returns nothing after an error. The terms of a `combine`
-/// are looked up in the definitions.
+/// are looked up in the definitions. Images that vary parameters are left out, with a warning.
 std::optional<Brdf> make_brdf(const grf::BrdfModel& model, grf::Diagnostics& diagnostics,
                               std::span<const grf::Definition> definitions = {});
 

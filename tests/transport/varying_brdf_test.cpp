@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/reflectance/brdf_instance.h"
 #include "renderer/transport/integrators/feature_layers.h"
 #include "tests/transport/scene_helpers.h"
 
@@ -217,6 +218,15 @@ TEST(VaryingBrdf, RefusesSchemesWithTables) {
   }
   for (const std::string scheme : {"own", "auto", "diffuse", "hemisphere", "sphere"})
     EXPECT_EQ(error_of(scheme), "") << scheme;
+}
+
+// Commands and tools that have no faces.
+TEST(VaryingBrdf, HasItsFactorsWithoutFaces) {
+  grf::Diagnostics diagnostics;
+  const auto reflector = reflectance::read_instance("ward sx=texture \"a.png\" r * 0.3", diagnostics);
+  ASSERT_TRUE(reflector);
+  EXPECT_EQ(std::get<reflectance::Ward>(reflector->brdf()).sx, 0.3F);
+  EXPECT_NE(diagnostics.to_text().find("images vary parameters of 'ward'"), std::string::npos);
 }
 
 // A mirror that an image takes away: the delta part is there where the image says so.
