@@ -80,6 +80,10 @@ void BrdfForm::build_chooser() {
   });
 }
 
+void BrdfForm::leave_out_images() {
+  for (grf::ModelInfo& info : infos_) info.takes_maps = false;
+}
+
 std::string BrdfForm::common_keyword() const {
   if (models_.empty()) return {};
   const std::string& keyword = models_.front().keyword;

@@ -27,6 +27,9 @@ class BrdfForm : public QWidget {
  public:
   explicit BrdfForm(QWidget* parent = nullptr);
 
+  /// Leaves out the buttons for images that vary parameters, where there are no faces.
+  void leave_out_images();
+
   /// Sets the BRDFs that are edited, without a signal; without any, the form says what to do.
   void set_models(std::vector<grf::BrdfModel> models);
   const std::vector<grf::BrdfModel>& models() const { return models_; }

@@ -84,6 +84,7 @@ void StudyForm::add_models() {
   }
   for (std::size_t i = 0; i < tool_.brdfs; ++i) {
     auto* form = new BrdfForm(this);
+    form->leave_out_images();
     brdfs_.push_back(form);
     add_section(numbered(tr("BRDF"), i, tool_.brdfs))->addWidget(form);
     const auto take = [this, i](const std::vector<grf::BrdfModel>& models, bool is_done) {

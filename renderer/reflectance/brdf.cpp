@@ -120,6 +120,9 @@ std::vector<grf::ModelInfo> brdf_infos() {
   std::vector<grf::ModelInfo> infos = infos_of<AnyBrdf>();
   for (grf::ModelInfo& info : infos) {
     info.largest_albedo = [](const grf::Model& data) { return largest_albedo(*make_brdf(data)); };
+    // Refraction at a point depends on the BRDF of others: of a solid where light leaves it again.
+    const bool is_glass = grf::same_keyword(info.keyword, "glass");
+    info.takes_maps = info.argument_kind == grf::ModelInfo::ArgumentKind::Parameters && !is_glass;
   }
   infos.push_back(info_of<Coat>());
   infos.push_back(info_of<Layer>());

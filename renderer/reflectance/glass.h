@@ -64,7 +64,6 @@ struct Glass {
             "only paths find that hit the lamp by chance: they need many samples, and large lamps. Solids "
             "must not "
             "overlap. In a combine or below a coat, glass is only a reflection.",
-        .takes_maps = false,
         .formula = R"(
 f = 0
 specular_weight(u) = F(cu);  of a pane F + F (1-F)^2 a^2/(1 - F^2 a^2)

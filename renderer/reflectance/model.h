@@ -112,7 +112,6 @@ struct ModelTable {
   std::string_view not_continuous = {};
   grf::ModelInfo::ArgumentKind argument_kind = grf::ModelInfo::ArgumentKind::Parameters;
   std::string_view description = {};
-  bool takes_maps = true;         ///< images may vary its parameters, as long as it has no data and no parts
   std::string_view formula = {};  ///< an empty first line is skipped
   std::string_view example = {};
 };
@@ -224,7 +223,6 @@ grf::ModelInfo info_of() {
   info.not_conserving = table.not_conserving;
   info.not_continuous = table.not_continuous;
   info.argument_kind = table.argument_kind;
-  info.takes_maps = table.takes_maps && table.argument_kind == grf::ModelInfo::ArgumentKind::Parameters;
   static const Model defaults;
   for (const Parameter<Model>& parameter : table.parameters) {
     info.parameters.push_back(parameter.info);

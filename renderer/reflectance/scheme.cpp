@@ -73,11 +73,7 @@ void sample_many(const Scheme& scheme, const Brdf& brdf, const Vec3f& u, std::sp
       scheme);
 }
 
-std::vector<grf::ModelInfo> scheme_infos() {
-  std::vector<grf::ModelInfo> infos = infos_of<AnyScheme>();
-  for (grf::ModelInfo& info : infos) info.takes_maps = false;
-  return infos;
-}
+std::vector<grf::ModelInfo> scheme_infos() { return infos_of<AnyScheme>(); }
 
 grf::Catalogue catalogue() { return {brdf_infos(), scheme_infos()}; }
 
