@@ -26,8 +26,11 @@ MapButton::MapButton(const grf::ParameterInfo& parameter, QWidget* parent)
   setFocusPolicy(Qt::TabFocus);
   setAccessibleName(tr("%1, image").arg(name_));
   auto* menu = new QMenu(this);
-  menu->addAction(tr("Choose an image..."), this, &MapButton::choose);
+  menu->setToolTipsVisible(true);
+  menu->addAction(tr("Choose an image..."), this, &MapButton::choose)
+      ->setToolTip(tr("Choose the file of an image that varies %1 over the faces").arg(name_));
   remove_ = menu->addAction(tr("Remove the image"), this, [this] { emit edited(std::nullopt); });
+  remove_->setToolTip(tr("All faces have the number of %1 again").arg(name_));
   menu->addSeparator();
   if (usual_channel_ == grf::ImageChannel::Rgb) add_channel(grf::ImageChannel::Rgb, tr("Colour"));
   add_channel(grf::ImageChannel::Red, tr("Red channel"));
@@ -43,6 +46,9 @@ void MapButton::add_channel(grf::ImageChannel channel, const QString& title) {
   QAction* action = channels_->addAction(title);
   action->setCheckable(true);
   action->setData(static_cast<int>(channel));
+  action->setToolTip(channel == grf::ImageChannel::Rgb
+                         ? tr("%1 varies by the colour of the image, as a texture does").arg(name_)
+                         : tr("%1 varies by this channel of the image, as its file stores it").arg(name_));
   connect(action, &QAction::triggered, this, [this, channel] {
     if (!map_ || map_->channel == channel) return;
     grf::ParameterMap map = *map_;

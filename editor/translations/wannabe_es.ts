@@ -4441,6 +4441,22 @@ Añada una luz de área con +, o seleccione caras y dé un valor a su emisión e
         <source>%1 varies by the image %2, times the number, in previews and renders</source>
         <translation>%1 varía según la imagen %2, por el número, en las vistas previas y los renders</translation>
     </message>
+    <message>
+        <source>Choose the file of an image that varies %1 over the faces</source>
+        <translation>Elegir el archivo de una imagen que varía %1 sobre las caras</translation>
+    </message>
+    <message>
+        <source>All faces have the number of %1 again</source>
+        <translation>Todas las caras vuelven a tener el número de %1</translation>
+    </message>
+    <message>
+        <source>%1 varies by the colour of the image, as a texture does</source>
+        <translation>%1 varía según el color de la imagen, como una textura</translation>
+    </message>
+    <message>
+        <source>%1 varies by this channel of the image, as its file stores it</source>
+        <translation>%1 varía según este canal de la imagen, tal como está en su archivo</translation>
+    </message>
 </context>
 <context>
     <name>editor::MaterialActions</name>
