@@ -91,7 +91,7 @@ void ParameterRow::add_number() {
   slider_->set_whole(parameter_.is_whole);
   slider_->setToolTip(help_of(parameter_));
   slider_->setAccessibleName(name);
-  slider_->setMinimumWidth(6 * Grid);
+  slider_->setMinimumWidth(3 * Grid);
   static_cast<QHBoxLayout*>(layout())->addWidget(slider_, 1);
   box_ = new_box(name);
   box_->setFixedWidth(10 * Grid);

@@ -80,10 +80,9 @@ TEST(FitFile, ReportsMistakesAtTheirPlace) {
     const std::string error = error_in(text);
     return error.substr(0, error.find('\n'));
   };
-  EXPECT_EQ(
-      first_line("ward sx=\nviewer (0, 0) begin end"),
-      "a.fit:1:9: error: found the end of the file, expected a number, 'true', 'false', a word or three "
-      "numbers in parentheses for 'sx'");
+  EXPECT_EQ(first_line("ward sx=\nviewer (0, 0) begin end"),
+            "a.fit:1:9: error: found the end of the file, expected a number, 'true', 'false', a word, three "
+            "numbers in parentheses or 'texture' for 'sx'");
   EXPECT_EQ(first_line("ward\nviewer 0"),
             "a.fit:2:8: error: found '0', expected '(' and the angles of the view");
   EXPECT_EQ(first_line("ward viewer (1)"),

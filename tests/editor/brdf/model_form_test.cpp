@@ -272,10 +272,14 @@ TEST(BrdfForm, BringsDefaultsBack) {
   BrdfForm form;
   show(form);
   form.set_models({brdf_model("phong n=10 ks=0.3")});
+  std::size_t pressed = 0;
   for (QToolButton* button : row_of(form, "n")->findChildren<QToolButton*>()) {
+    if (button->menu() != nullptr) continue;
     QTest::mouseClick(button, Qt::LeftButton);
     EXPECT_FALSE(button->isEnabled());
+    ++pressed;
   }
+  EXPECT_EQ(pressed, 1U);
   EXPECT_EQ(form.models()[0], brdf_model("phong ks=0.3"));
 }
 
