@@ -17,6 +17,7 @@ PathEffects path_effects(const CompiledScene& scene, const IntegratorSettings& s
   effects.resampling = settings.environment && settings.resampling;
   effects.needs_general_bsdf = settings.measures_sampling || !scene.is_diffuse();
   effects.transmission = scene.has_glass();
+  effects.varying_brdfs = scene.has_varying_brdfs();
   return effects;
 }
 

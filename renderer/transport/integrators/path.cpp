@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -402,8 +403,15 @@ Rgb Path<Has>::run(const std::optional<Rgb>& backplate, int bounces) {
     add_emission(*point);
     check_finite("colour", point->colour, &*point);
     if (point->surface->reflector == InvalidIndex || bounces >= settings_.depth) return radiance_;
-    std::optional<Reflector> varied;
-    const Reflector* reflector = scene_.reflector_at(*point, varied);
+    // Without images it would only be a frame of the stack that is too large.
+    [[maybe_unused]] std::conditional_t<Has.varying_brdfs, std::optional<Reflector>, std::nullopt_t> varied =
+        std::nullopt;
+    const Reflector* reflector = nullptr;
+    if constexpr (Has.varying_brdfs) {
+      reflector = scene_.reflector_at(*point, varied);
+    } else {
+      reflector = scene_.reflector(*point->surface);
+    }
     if (was_scattered_ && !point->surface->interreflects) return radiance_;
     const ShadingPoint shading(*point, *reflector, -ray_.direction);
     if (has_irradiance(*point, *reflector)) {
@@ -458,11 +466,16 @@ constexpr PathEffects DiffuseUnderLights = {.area_lights = true,
                                             .environment = false,
                                             .resampling = false,
                                             .needs_general_bsdf = false,
-                                            .transmission = false};
-constexpr PathEffects UnderLights = {
-    .area_lights = true, .environment = false, .resampling = false, .transmission = false};
-constexpr PathEffects UnderEnvironment = {.area_lights = false, .resampling = false, .transmission = false};
-constexpr PathEffects Opaque = {.transmission = false};
+                                            .transmission = false,
+                                            .varying_brdfs = false};
+constexpr PathEffects UnderLights = {.area_lights = true,
+                                     .environment = false,
+                                     .resampling = false,
+                                     .transmission = false,
+                                     .varying_brdfs = false};
+constexpr PathEffects UnderEnvironment = {
+    .area_lights = false, .resampling = false, .transmission = false, .varying_brdfs = false};
+constexpr PathEffects Opaque = {.transmission = false, .varying_brdfs = false};
 constexpr PathEffects All;
 
 /// From the cheapest to the most general.
@@ -472,7 +485,7 @@ constexpr std::array Kernels = {kernel_with<DiffuseUnderLights>(), kernel_with<U
 bool covers(const PathEffects& kernel, const PathEffects& wanted) {
   return kernel.area_lights >= wanted.area_lights && kernel.environment >= wanted.environment &&
          kernel.resampling >= wanted.resampling && kernel.needs_general_bsdf >= wanted.needs_general_bsdf &&
-         kernel.transmission >= wanted.transmission;
+         kernel.transmission >= wanted.transmission && kernel.varying_brdfs >= wanted.varying_brdfs;
 }
 
 constexpr PathEffects Observing = {.observe = true};

@@ -11,6 +11,7 @@ struct PathEffects {
   bool resampling = true;
   bool needs_general_bsdf = true;  ///< BRDFs besides `diffuse`, or sampling schemes besides its own
   bool transmission = true;        ///< glass
+  bool varying_brdfs = true;       ///< images vary BRDFs over faces
   bool observe = false;            ///< looks for terms that are not finite, and lists contributions
 
   bool operator==(const PathEffects&) const = default;

@@ -66,6 +66,7 @@ class CompiledScene {
 
   bool has_cutouts() const { return has_cutouts_; }  ///< some face lets light pass straight on
   bool has_glass() const { return has_glass_; }      ///< some face is glass, a pane or that of a solid
+  bool has_varying_brdfs() const { return !varying_.empty(); }  ///< images vary the BRDF of some face
 
   /// Moves a point off the faces that it lies in, by the rounding error of rays that start there: to the side
   /// that the direction points to if the point is in a face within the rounding of the face's corners, and

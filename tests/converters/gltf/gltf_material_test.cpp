@@ -5,6 +5,7 @@
 #include "converters/gltf/gltf_brdf.h"
 #include "grf/keywords.h"
 #include "grf/read.h"
+#include "grf/write.h"
 #include "renderer/reflectance/scheme.h"
 #include "tests/converters/gltf/gltf_maker.h"
 
