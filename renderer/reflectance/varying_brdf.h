@@ -30,7 +30,7 @@ class VaryingBrdf {
   /// out of a parameter's range become its nearest end.
   Brdf at(std::span<const Rgb> texels) const;
 
-  // What the BRDF may have at some point; rather assumed than missed.
+  // These queries tell what the BRDF may have at some point; it is rather assumed than missed.
   bool may_be_specular() const { return may_be_specular_; }
   bool may_be_anisotropic() const { return may_be_anisotropic_; }
   bool is_diffuse() const { return std::holds_alternative<Diffuse>(brdf_); }  ///< everywhere

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -403,15 +402,9 @@ Rgb Path<Has>::run(const std::optional<Rgb>& backplate, int bounces) {
     add_emission(*point);
     check_finite("colour", point->colour, &*point);
     if (point->surface->reflector == InvalidIndex || bounces >= settings_.depth) return radiance_;
-    // Without images it would only be a frame of the stack that is too large.
-    [[maybe_unused]] std::conditional_t<Has.varying_brdfs, std::optional<Reflector>, std::nullopt_t> varied =
-        std::nullopt;
-    const Reflector* reflector = nullptr;
-    if constexpr (Has.varying_brdfs) {
-      reflector = scene_.reflector_at(*point, varied);
-    } else {
-      reflector = scene_.reflector(*point->surface);
-    }
+    std::optional<Reflector> varied;
+    const Reflector* reflector =
+        Has.varying_brdfs ? scene_.reflector_at(*point, varied) : scene_.reflector(*point->surface);
     if (was_scattered_ && !point->surface->interreflects) return radiance_;
     const ShadingPoint shading(*point, *reflector, -ray_.direction);
     if (has_irradiance(*point, *reflector)) {
@@ -482,17 +475,11 @@ constexpr PathEffects All;
 constexpr std::array Kernels = {kernel_with<DiffuseUnderLights>(), kernel_with<UnderLights>(),
                                 kernel_with<UnderEnvironment>(), kernel_with<Opaque>(), kernel_with<All>()};
 
-bool covers(const PathEffects& kernel, const PathEffects& wanted) {
-  return kernel.area_lights >= wanted.area_lights && kernel.environment >= wanted.environment &&
-         kernel.resampling >= wanted.resampling && kernel.needs_general_bsdf >= wanted.needs_general_bsdf &&
-         kernel.transmission >= wanted.transmission && kernel.varying_brdfs >= wanted.varying_brdfs;
-}
-
 constexpr PathEffects Observing = {.observe = true};
 
 const PathKernel& kernel_for(const PathEffects& effects) {
   for (const PathKernel& candidate : Kernels) {
-    if (covers(candidate.effects, effects)) return candidate;
+    if (candidate.effects.cover(effects)) return candidate;
   }
   return Kernels.back();
 }

@@ -15,6 +15,13 @@ struct PathEffects {
   bool observe = false;            ///< looks for terms that are not finite, and lists contributions
 
   bool operator==(const PathEffects&) const = default;
+
+  /// Returns whether a kernel with these effects serves where others are wanted.
+  bool cover(const PathEffects& wanted) const {
+    return area_lights >= wanted.area_lights && environment >= wanted.environment &&
+           resampling >= wanted.resampling && needs_general_bsdf >= wanted.needs_general_bsdf &&
+           transmission >= wanted.transmission && varying_brdfs >= wanted.varying_brdfs;
+  }
 };
 
 /// Returns the cheapest path-tracing kernel that supports these effects. It estimates the radiance along a

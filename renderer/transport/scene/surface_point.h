@@ -17,7 +17,7 @@ struct CompiledSurface {
   Rgb emission = Rgb(0);
   std::uint32_t reflector = InvalidIndex;  ///< InvalidIndex: black
   std::uint32_t texture = InvalidIndex;
-  /// Of the VaryingSurface, where images vary the BRDF of the reflector; else InvalidIndex.
+  /// This is the index of a VaryingSurface where images vary the BRDF, else InvalidIndex.
   std::uint32_t varying = InvalidIndex;
   grf::Opacity opacity;
   std::uint32_t alpha = InvalidIndex;  ///< the texture whose alpha the opacity reads

@@ -1,5 +1,6 @@
 #include "renderer/transport/scene/texture_set.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -38,23 +39,26 @@ class FilesBefore {
   std::map<std::pair<std::string_view, TextureContent>, const TextureFile*> by_path_;
 };
 
-/// Makes an image of what a file stores: integers of 8 bits are read as encoded in sRGB.
+/// Returns whether a value is that of a byte in sRGB, but for the rounding by alpha.
+bool is_of_srgb_byte(float value) {
+  constexpr float Rounding = 1e-6F;
+  return std::abs(image::srgb_table()[image::to_srgb_byte(value)] - value) <= Rounding * value;
+}
+
+/// Makes an image of what a file stores: integers of 8 bits are read as encoded in sRGB, other numbers as
+/// they are.
 image::Image as_stored(image::Image image) {
-  const image::SrgbTable& linear = image::srgb_table();
-  image::Image stored = image;
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const float alpha = image.alpha.empty() ? 1 : image.alpha[i];
-    if (alpha > 0) image.pixels[i] /= alpha;
-    for (int k = 0; k < 3; ++k) {
-      constexpr float Rounding = 1e-6F;
-      const float value = image.pixels[i][k];
-      const std::uint8_t byte = image::to_srgb_byte(value);
-      // Some value is not that of a byte: the file has other numbers, which are read as they are.
-      if (!(std::abs(linear[byte] - value) <= Rounding * value)) return image;
-      stored.pixels[i][k] = static_cast<float>(byte) / 255;
-    }
+  for (std::size_t i = 0; i < image.alpha.size(); ++i) {
+    if (image.alpha[i] > 0) image.pixels[i] /= image.alpha[i];
   }
-  return stored;
+  const bool has_bytes = std::ranges::all_of(image.pixels, [](const reflectance::Rgb& pixel) {
+    return is_of_srgb_byte(pixel.x) && is_of_srgb_byte(pixel.y) && is_of_srgb_byte(pixel.z);
+  });
+  if (!has_bytes) return image;
+  for (reflectance::Rgb& pixel : image.pixels) {
+    for (int k = 0; k < 3; ++k) pixel[k] = static_cast<float>(image::to_srgb_byte(pixel[k])) / 255;
+  }
+  return image;
 }
 
 image::Image contents(image::Image image, TextureContent content) {

@@ -15,7 +15,7 @@
 
 namespace transport {
 
-/// What is read of an image file.
+/// The content of a texture is one of these readings of an image file.
 enum class TextureContent {
   OverBlack,   ///< colours, over black where the image is transparent
   WithAlpha,   ///< colours, and alpha apart, 1 if the file has none
