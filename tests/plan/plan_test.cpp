@@ -9,34 +9,32 @@
 #include <gtest/gtest.h>
 
 #include "renderer/reflectance/merl_table.h"
-#include "tests/plan/plan_helpers.h"
+#include "tests/plan/plan_scenes.h"
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
 
 using image::Image;
+using test::depth;
 using test::Effect;
+using test::Floor;
+using test::Lamp;
+using test::OutOfView;
+using test::Place;
 using test::PlannedRender;
 using test::PlannedScene;
+using test::wall;
 
-/// Upright, at the centre of the view, facing the eye.
-const std::string Place = "(-1,-1,0)(1,-1,0)(1,1,0)(-1,1,0)";
-const std::string Floor = "(-1,-1,2)(1,-1,2)(1,-1,0)(-1,-1,0)";
 /// Behind the eye, facing the same way as the eye.
 const std::string BehindEye = "(-9,-9,9)(-9,9,9)(9,9,9)(9,-9,9)";
-/// Below the wall and out of view, facing the wall's front.
-const std::string OutOfView = "(-1,-8,9)(1,-8,9)(1,-8,1)(-1,-8,1)";
 /// An existing file that the scene can name, without measurements.
 const std::string Data = "\"" GRANADA_SOURCE_DIR "/CMakeLists.txt\"";
-const std::string Lamp = "light begin rgb (2,3,4) (-1,2,0.5) (2,0,0) (0,0,2) end\n";
 const std::string LampBehindWall = "light begin rgb (2,3,4) (-1,-1,-1) (0,2,0) (2,0,0) end\n";
 
 const std::string MeshLamp =
     "mesh light begin begin vertexs (-1,2,0.5)(1,2,0.5)(1,2,2.5)(-1,2,2.5) end vertexs begin faces (0,1,2,3) "
     "end faces end ";
-
-std::string wall(const std::string& attributes) { return test::quad(attributes, Place); }
 
 std::string cube(const std::string& attributes) {
   return "begin mesh " + attributes +
@@ -55,11 +53,6 @@ std::string upright(const std::string& of_vertex, const std::string& attributes 
          "(-1,1,0) end vertexs begin faces (0,1,2,3) end faces end mesh\n";
 }
 
-PlannedRender depth(int depth) {
-  PlannedRender setup;
-  setup.depth = depth;
-  return setup;
-}
 PlannedRender under_background() {
   PlannedRender setup;
   setup.background = 1;
@@ -262,50 +255,6 @@ TEST(Plan, LoadsNoFileThatNoPathNeeds) {
   EXPECT_FALSE(scene.plan().textures[0].is_needed);
   EXPECT_EQ(scene.plan().textures[0].why,
             "only on 1 face that no path hits: outside the view, and the depth of 1 allows no second bounce");
-}
-
-TEST(Plan, LoadsImagesThatVaryBrdfsOfFacesThatPathsMeet) {
-  const std::string brdf = "brdf ward sx=texture \"missing.png\" r ";
-  const std::string text = wall(brdf) + Lamp;
-  const PlannedScene scene(text, depth(1));
-  ASSERT_EQ(scene.plan().textures.size(), 1U);
-  EXPECT_TRUE(scene.plan().textures[0].is_needed);
-  EXPECT_TRUE(scene.plan()[Effect::Textures].is_needed);
-  EXPECT_THROW(PlannedScene(text, depth(1)).compiled(), std::runtime_error);
-  const PlannedRender uniform = test::without(depth(1), Effect::Textures);
-  EXPECT_FALSE(PlannedScene(text, uniform).plan().textures.at(0).is_needed);
-  EXPECT_EQ(PlannedScene(text, uniform).compiled().texture_count(), 0U);
-  const std::string hidden = wall("brdf diffuse") + test::quad(brdf, OutOfView) + Lamp;
-  EXPECT_FALSE(PlannedScene(hidden, depth(1)).plan().textures.at(0).is_needed);
-  EXPECT_EQ(PlannedScene(hidden, depth(1)).compiled().texture_count(), 0U);
-}
-
-// The factor alone would be all metal, isotropic, or not a mirror.
-TEST(Plan, TakesBrdfsThatImagesVaryForWhatTheyCanBe) {
-  const auto needs = [](const std::string& brdf, Effect effect) {
-    return PlannedScene(wall(brdf) + test::quad(brdf, Floor) + Lamp, depth(3)).plan()[effect].is_needed;
-  };
-  const std::string image = "texture \"a.png\" r";
-  EXPECT_TRUE(needs("brdf ward sx=" + image + " sy=1", Effect::Anisotropy));
-  EXPECT_FALSE(needs("brdf ward sx=1 sy=1", Effect::Anisotropy));
-  EXPECT_TRUE(needs("brdf specular ks=" + image, Effect::MirrorReflection));
-  EXPECT_TRUE(needs("brdf gltf metallic=" + image, Effect::GlossyInterreflection));
-  EXPECT_TRUE(needs("brdf diffuse kd=" + image, Effect::DiffuseInterreflection));
-  EXPECT_FALSE(needs("brdf diffuse kd=" + image, Effect::GlossyInterreflection));
-}
-
-// Its alpha decides what is seen behind a black face.
-TEST(Plan, LoadsTexturesWhoseAlphaLightPasses) {
-  const std::string text = wall("rgb (0,0,0) texture \"missing.png\" opacity mask 0.5") + Lamp;
-  const PlannedScene scene(text, depth(1));
-  ASSERT_EQ(scene.plan().textures.size(), 1U);
-  EXPECT_TRUE(scene.plan().textures[0].is_needed);
-  EXPECT_THROW(PlannedScene(text, depth(1)).compiled(), std::runtime_error);
-  const PlannedRender opaque = test::without(depth(1), Effect::Opacity);
-  EXPECT_FALSE(PlannedScene(text, opaque).plan().textures[0].is_needed);
-  EXPECT_EQ(PlannedScene(text, opaque).compiled().texture_count(), 0U);
-  const std::string lamp = wall("light rgb (1,1,1) texture \"missing.png\" opacity blend 1");
-  EXPECT_TRUE(PlannedScene(lamp, depth(1)).plan().textures.at(0).is_needed);
 }
 
 TEST(Plan, BuildsTablesOfPairsThatPathsMeetAlone) {
